@@ -1,0 +1,139 @@
+// isostar: isosurfaces of volume data, compressed and decoded progressively.
+// After T. Lewiner, L. Velho, H. Lopes, V. Mello, Simplicial Isosurface Compression (2004); "§" cites its sections.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isostar {
+
+inline constexpr int kFormatVersion = 1;  // encode() writes it; decoders read 1 … kFormatVersion
+
+enum class Error : uint8_t {
+  None,
+  BadArgument,         // the caller's volume or options make no sense
+  NotIsostar,          // the first bytes are not ours
+  UnsupportedVersion,  // written by a newer format than this library reads
+  Truncated,           // more bytes were needed; feeding them may still succeed
+  Corrupt,             // a checksum or a field cannot be true
+  OverLimit,           // sound perhaps, but larger than the caller's Limits
+};
+const char* name(Error);      // the enumerator: "Corrupt"
+const char* describe(Error);  // one English clause without a full stop
+
+/// Which surface is made of the scalars (§3): one vertex per crossing axis edge, or one polygon per crossing tetrahedron.
+enum class Polygonizer : uint8_t { Cubes, Tetrahedra };
+
+/// World applies the placement; Grid puts sample (i,j,k) at point (i,j,k).
+enum class Frame : uint8_t { World, Grid };
+
+/// world = origin + direction · (spacing ∘ index); direction is row-major and invertible, spacing positive.
+struct Placement {
+  std::array<double, 3> origin{0, 0, 0}, spacing{1, 1, 1};
+  std::array<double, 9> direction{1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
+/// Samples on a regular grid, x fastest, borrowed for the length of the call. All must be finite.
+/// A sample is positive where `sample > isovalue`.
+struct Volume {
+  std::span<const float> samples;
+  std::array<int32_t, 3> size{0, 0, 0};
+  Placement placement;
+};
+
+struct EncodeOptions {
+  double isovalue = 0;
+  double maxError = 0.05;  // bound on the two-sided distance, in grid steps along the smallest spacing
+  bool lossless = false;   // the decoded surface is the one that the polygonizer makes of the source
+  Polygonizer polygonizer = Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
+  std::function<void(double done)> progress;     // called now and then with 0 … 1
+};
+
+struct Mesh {
+  std::vector<float> positions;     // x, y, z of each vertex
+  std::vector<float> normals;       // unit, towards smaller values; empty where not asked for
+  std::vector<uint32_t> triangles;  // three vertices each, counter-clockwise seen from the side of smaller values
+};
+
+struct MeshOptions {
+  Polygonizer polygonizer = Polygonizer::Cubes;
+  Frame frame = Frame::World;
+  bool normals = true;
+};
+
+/// What a decoder may spend on a stranger's file. The defaults suit a browser tab.
+struct Limits {
+  uint64_t samples = 1ull << 31;    // of the grid
+  uint64_t vertices = 1ull << 26;   // of a mesh
+  uint64_t memory = 3ull << 30;     // bytes of decoder state
+};
+
+/// One piece of the stream after which the decoded surface is better.
+struct LayerInfo {
+  std::string kind;   // "base", "refinement", "geometry"
+  int level = 0;      // octave: 0 is the base, the last is the source's own grid
+  uint64_t offset = 0;  // the layer is complete after this many bytes of the file
+  uint64_t bytes = 0;   // of the layer alone
+  double error = 0;     // RMS distance to the source's surface after it, in grid steps, as the encoder determined it
+};
+
+/// What the header and the layers' own heads tell, without decoding.
+struct StreamInfo {
+  int version = 0;
+  std::array<int32_t, 3> size{};
+  Placement placement;
+  std::vector<double> isovalues;
+  Polygonizer polygonizer = Polygonizer::Cubes;
+  bool lossless = false;
+  double maxError = 0;      // the bound that was asked for; 0 for lossless
+  uint64_t vertices = 0;    // of the complete surface that `cubes` makes
+  uint64_t headerBytes = 0; // header and layer heads
+  uint64_t bytes = 0;       // of the whole stream as its layers declare
+  std::vector<LayerInfo> layers;
+};
+
+/// Appends a stream to `out`; on an error `out` is as it was. A surface without vertices is a valid stream.
+[[nodiscard]] Error encode(const Volume&, const EncodeOptions&, std::vector<std::byte>& out);
+
+/// Reads header and layer heads of a stream or of a prefix of one (then: the layers whose heads have arrived).
+[[nodiscard]] Error inspect(std::span<const std::byte>, StreamInfo& out);
+
+/// The source's own surface, as encode() sees it.
+[[nodiscard]] Error polygonize(const Volume&, double isovalue, const MeshOptions&, Mesh& out);
+
+/// A stream, a layer at a time, as its bytes arrive in pieces of any size. Any bytes are safe to give.
+class Decoder {
+ public:
+  explicit Decoder(const Limits& = {});
+  ~Decoder();
+  Decoder(Decoder&&) noexcept;
+  Decoder& operator=(Decoder&&) noexcept;
+
+  void feed(std::span<const std::byte>);  // copies; never fails
+  void finish();                          // no more bytes will come: advance() then shows what a torn layer still tells
+  /// Decodes one more layer. True: mesh() would show a better surface. False: feed more, or all is shown, or see error().
+  [[nodiscard]] bool advance();
+  [[nodiscard]] Error error() const;  // the first error stays; Truncated only after finish(); mesh() still shows what was sound
+
+  [[nodiscard]] bool ready() const;        // the header has arrived; a surface, maybe empty, can be made
+  [[nodiscard]] const StreamInfo& info() const;  // header as far as it has arrived; layers so far decoded
+  [[nodiscard]] int level() const;         // the octave that mesh() shows, -1 before the first
+  [[nodiscard]] int levels() const;        // how many octaves the stream has, 0 before its header has arrived
+  [[nodiscard]] uint64_t bytes() const;    // length of the prefix that mesh() shows
+  [[nodiscard]] double rmsError() const;   // of the last complete layer, grid steps
+  [[nodiscard]] bool complete() const;     // all layers are decoded
+
+  [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace isostar
