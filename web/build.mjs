@@ -1,0 +1,42 @@
+// Builds the publishable package into dist/: one ES module an entry, what they share in chunks, declarations, the decoder.
+import { build } from 'esbuild';
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+rmSync(here('dist'), { recursive: true, force: true });
+const { metafile } = await build({
+  absWorkingDir: here('.'),
+  entryPoints: ['index', 'worker', 'three', 'element'].map((entry) => `src/${entry}.ts`),
+  outdir: 'dist',
+  bundle: true,
+  splitting: true,
+  minify: true,
+  metafile: true,
+  format: 'esm',
+  target: 'es2022',
+  alias: { 'isostar-wasm': here('../build/wasm/decoder.js') },
+  external: ['node:fs/promises', 'three', 'three/*'],
+});
+execFileSync(process.execPath, [createRequire(import.meta.url).resolve('typescript/bin/tsc'), '-p', here('.')], { stdio: 'inherit' });
+copyFileSync(here('../build/wasm/decoder.wasm'), here('dist/decoder.wasm'));
+
+/** What a page downloads for an entry: the entry itself and all that it imports. */
+function closure(file, files = new Set()) {
+  if (files.has(file)) return files;
+  files.add(file);
+  for (const { path, external } of metafile.outputs[file].imports) if (!external) closure(path, files);
+  return files;
+}
+const gzipped = (path) => gzipSync(readFileSync(here(path)), { level: 9 }).length;
+const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
+
+const wasm = gzipped('dist/decoder.wasm');
+const script = [...closure('dist/worker.js')].reduce((sum, path) => sum + gzipped(path), 0);
+console.log(`web/dist: ${readdirSync(here('dist')).length} files`);
+console.log(`decoder after gzip: ${kilobytes(wasm)} WebAssembly + ${kilobytes(script)} script = ${kilobytes(wasm + script)}`);
+if (wasm + script > 40e3) console.warn('the decoder has outgrown its 40 kB');

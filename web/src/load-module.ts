@@ -1,0 +1,32 @@
+import createModule from 'isostar-wasm';
+import { IsostarError } from './errors.js';
+import type { RawModule } from './raw.js';
+
+/** Where the decoder's WebAssembly comes from: its address or its bytes; by default `decoder.wasm` beside this file. */
+export type WasmSource = URL | string | BufferSource;
+
+/** A fresh instance each time. */
+export async function loadModule(wasm: WasmSource = new URL('./decoder.wasm', import.meta.url)): Promise<RawModule> {
+  const isAddress = wasm instanceof URL || typeof wasm === 'string';
+  const bytes = isAddress ? await readAddress(wasm) : wasm;
+  checkMagic(bytes, isAddress ? String(wasm) : 'the bytes given as `wasm`');
+  return createModule({ wasmBinary: bytes });
+}
+
+async function readAddress(address: URL | string): Promise<BufferSource> {
+  if (String(address).startsWith('file:')) {
+    // Node's fetch does not read files.
+    const files = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
+    return (await files.readFile(new URL(address))) as Uint8Array<ArrayBuffer>;
+  }
+  const response = await fetch(address);
+  if (!response.ok) throw new IsostarError('BadArgument', `${address} answers ${response.status} ${response.statusText}`);
+  return response.arrayBuffer();
+}
+
+/** Servers like to answer a wrong path with a page. */
+function checkMagic(bytes: BufferSource, name: string): void {
+  const head = ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+  if (head[0] !== 0 || head[1] !== 0x61 || head[2] !== 0x73 || head[3] !== 0x6d)
+    throw new IsostarError('BadArgument', `${name} is not WebAssembly`);
+}

@@ -1,0 +1,64 @@
+import { disposed } from './disposed.js';
+import { IsostarError } from './errors.js';
+import { Inbox, readInto } from './inbox.js';
+import { loadModule, type WasmSource } from './load-module.js';
+import type { RawModule } from './raw.js';
+import { Session } from './session.js';
+import type { Decoder, DecodeOptions, Source, Surface, SurfaceOptions } from './surface.js';
+
+/** Decodes in the thread it lives in: a worker's, Node's, or a page's that wants no worker. */
+export class LocalDecoder implements Decoder {
+  readonly #wasm: WasmSource | undefined;
+  #module: RawModule | undefined;
+  #isDisposed = false;
+  readonly #inboxes = new Set<Inbox>();
+
+  private constructor(wasm: WasmSource | undefined, module: RawModule) {
+    this.#wasm = wasm;
+    this.#module = module;
+  }
+
+  static async create(wasm?: WasmSource): Promise<LocalDecoder> {
+    return new LocalDecoder(wasm, await loadModule(wasm));
+  }
+
+  async *decode(source: Source, { signal, ...options }: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
+    signal?.throwIfAborted();
+    const inbox = new Inbox();
+    const giveUp = readInto(inbox, source);
+    const abort = () => inbox.fail(signal?.reason);
+    signal?.addEventListener('abort', abort);
+    try {
+      yield* this.decodeInbox(inbox, options);
+    } finally {
+      giveUp();
+      signal?.removeEventListener('abort', abort);
+    }
+  }
+
+  /** The same for whoever fills the inbox himself. */
+  async *decodeInbox(inbox: Inbox, options: SurfaceOptions): AsyncGenerator<Surface, void, undefined> {
+    if (this.#isDisposed) throw disposed();
+    this.#inboxes.add(inbox);
+    const module = (this.#module ??= await loadModule(this.#wasm));
+    const session = new Session(module, options);
+    let isAborted = false;
+    try {
+      yield* session.surfaces(inbox);
+    } catch (reason) {
+      isAborted = reason instanceof WebAssembly.RuntimeError;
+      throw isAborted ? new IsostarError('OverLimit', 'the surface needs more memory than there is') : reason;
+    } finally {
+      this.#inboxes.delete(inbox);
+      if (!isAborted) session.delete();
+      else if (this.#module === module) this.#module = undefined;  // an aborted module cannot be called again
+    }
+  }
+
+  dispose(): void {
+    this.#isDisposed = true;
+    this.#module = undefined;
+    for (const inbox of this.#inboxes) inbox.fail(disposed());
+  }
+}
+

@@ -1,0 +1,91 @@
+/** Which surface is made of the decoded scalars: as marching cubes has it, or one polygon per crossing tetrahedron. */
+export type Polygonizer = 'cubes' | 'tetrahedra';
+
+/** `world` applies spacing, origin and direction; `grid` puts sample (i,j,k) at point (i,j,k). */
+export type Frame = 'world' | 'grid';
+
+/** One piece of the stream after which the decoded surface is better. */
+export interface Layer {
+  readonly kind: 'base' | 'refinement' | 'geometry';
+  readonly level: number;
+  /** The layer is complete after this many bytes of the stream. */
+  readonly offset: number;
+  readonly bytes: number;
+  /** RMS distance to the source's surface, in grid steps, as the encoder determined it. */
+  readonly error: number;
+}
+
+/** What the stream's header tells, and the heads of the layers decoded so far. */
+export interface StreamInfo {
+  readonly version: number;
+  readonly size: readonly [number, number, number];
+  readonly origin: readonly [number, number, number];
+  readonly spacing: readonly [number, number, number];
+  /** Row-major 3×3: world = origin + direction · (spacing ∘ index). */
+  readonly direction: readonly number[];
+  readonly isovalues: readonly number[];
+  readonly polygonizer: Polygonizer;
+  readonly lossless: boolean;
+  readonly maxError: number;
+  /** Of the complete surface that `cubes` makes. */
+  readonly vertices: number;
+  readonly headerBytes: number;
+  readonly bytes: number;
+  readonly layers: readonly Layer[];
+}
+
+/** What a prefix of the stream shows. The arrays are the caller's own. */
+export interface Surface {
+  /** x, y, z of each vertex. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** Unit vectors towards smaller values, one a vertex; empty when not asked for. */
+  readonly normals: Float32Array<ArrayBuffer>;
+  /** Three vertices a triangle, counter-clockwise seen from the side of smaller values. */
+  readonly indices: Uint32Array<ArrayBuffer>;
+  /** Length of the prefix that this surface shows. */
+  readonly bytes: number;
+  /** 0 is the base; `levels - 1` the source's own grid. */
+  readonly level: number;
+  readonly levels: number;
+  /** RMS distance to the source's surface in grid steps, after the last complete layer. */
+  readonly error: number;
+  /** No better surface will come. */
+  readonly final: boolean;
+  readonly info: StreamInfo;
+  /** `decode`: of all layers so far; `polygonize`: of this surface. */
+  readonly milliseconds: { readonly decode: number; readonly polygonize: number };
+}
+
+export type Source =
+  | ReadableStream<Uint8Array<ArrayBufferLike>>
+  | AsyncIterable<Uint8Array<ArrayBufferLike>>
+  | Uint8Array<ArrayBufferLike>
+  | Response;
+
+export interface SurfaceOptions {
+  polygonizer?: Polygonizer;
+  frame?: Frame;
+  normals?: boolean;
+  /** One of the stream's isovalues; by default its first. */
+  isovalue?: number;
+  /**
+   * `newest`: the first surface early, then always the best that the bytes at hand allow, skipping those that are stale
+   * already; `all`: one surface a layer; `last`: only the best of the whole source.
+   */
+  refinements?: 'newest' | 'all' | 'last';
+}
+
+export interface DecodeOptions extends SurfaceOptions {
+  /** Aborting stops the download and the decoding; the iteration throws the signal's reason. */
+  signal?: AbortSignal;
+}
+
+export interface Decoder {
+  /**
+   * The surfaces of a stream, better and better, as its bytes arrive. A damaged or broken-off stream gives the surfaces that
+   * are sound and then throws an `IsostarError`.
+   */
+  decode(source: Source, options?: DecodeOptions): AsyncIterableIterator<Surface>;
+  /** Frees memory and worker; iterations under way throw an AbortError. */
+  dispose(): void;
+}

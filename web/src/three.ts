@@ -1,0 +1,110 @@
+import { Box3, BufferAttribute, BufferGeometry, Loader, type LoadingManager, Sphere, Vector3 } from 'three';
+import { boundsOf } from './bounds.js';
+import { createDecoder, type Decoder, type DecoderOptions, type Source, type Surface, type SurfaceOptions } from './index.js';
+
+/** What `onProgress` gets, once a refinement. `geometry` is the same object each time. */
+export interface IsostarProgress {
+  readonly geometry: BufferGeometry;
+  readonly surface: Surface;
+  readonly loaded: number;
+  readonly total: number;
+  readonly lengthComputable: true;
+}
+
+/** Loads `.isostar` streams into a BufferGeometry that gets better while bytes arrive. */
+export class IsostarLoader extends Loader<BufferGeometry> {
+  #decoder: Promise<Decoder> | undefined;
+  #decoderOptions: DecoderOptions = {};
+  #surfaceOptions: SurfaceOptions = {};
+
+  constructor(manager?: LoadingManager) {
+    super(manager);
+  }
+
+  /** Where the WebAssembly is and whether to use a worker; counts for decoders not made yet. */
+  setDecoderOptions(options: DecoderOptions): this {
+    this.#decoderOptions = options;
+    return this;
+  }
+
+  /** Polygonizer, frame, isovalue, refinements. */
+  setSurfaceOptions(options: SurfaceOptions): this {
+    this.#surfaceOptions = options;
+    return this;
+  }
+
+  /** Fetches the decoder before it is needed. */
+  preload(): this {
+    void this.#ready().catch(() => {});  // load() will tell
+    return this;
+  }
+
+  override load(
+    url: string,
+    onLoad: (geometry: BufferGeometry) => void,
+    onProgress?: (event: IsostarProgress) => void,
+    onError?: (reason: unknown) => void,
+  ): void {
+    const address = this.manager.resolveURL(this.path + url);
+    this.manager.itemStart(address);
+    this.#load(address, onProgress)
+      .then(onLoad)
+      .catch((reason: unknown) => {
+        this.manager.itemError(address);
+        if (onError) onError(reason);
+        else console.error(reason);
+      })
+      .finally(() => this.manager.itemEnd(address));
+  }
+
+  override loadAsync(url: string, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+    return new Promise((resolve, reject) => this.load(url, resolve, onProgress, reject));
+  }
+
+  /** The best surface of bytes at hand. */
+  parse(bytes: ArrayBuffer | Uint8Array, onLoad: (geometry: BufferGeometry) => void, onError: (reason: unknown) => void = console.error): void {
+    this.#parse(new Uint8Array(bytes as ArrayBuffer)).then(onLoad).catch(onError);
+  }
+
+  dispose(): void {
+    void this.#decoder?.then((decoder) => decoder.dispose()).catch(() => {});
+    this.#decoder = undefined;
+  }
+
+  async #load(address: string, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+    const decoder = this.#ready();
+    const credentials = this.crossOrigin === 'anonymous' ? 'same-origin' : 'include';
+    const response = await fetch(address, { headers: this.requestHeader, credentials: this.withCredentials ? 'include' : credentials });
+    return this.#decode(await decoder, response, onProgress);
+  }
+
+  async #parse(bytes: Uint8Array): Promise<BufferGeometry> {
+    return this.#decode(await this.#ready(), bytes);
+  }
+
+  async #decode(decoder: Decoder, source: Source, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+    const geometry = new BufferGeometry();
+    const refinements = onProgress ? 'newest' : 'last';
+    for await (const surface of decoder.decode(source, { refinements, ...this.#surfaceOptions })) {
+      showSurface(geometry, surface, this.#surfaceOptions);
+      onProgress?.({ geometry, surface, loaded: surface.bytes, total: surface.info.bytes, lengthComputable: true });
+    }
+    return geometry;
+  }
+
+  #ready(): Promise<Decoder> {
+    return (this.#decoder ??= createDecoder(this.#decoderOptions));
+  }
+}
+
+/** Puts a surface into a geometry in place of what it had. */
+export function showSurface(geometry: BufferGeometry, surface: Surface, { frame }: SurfaceOptions = {}): void {
+  geometry.dispose();  // frees the buffers of the surface before
+  geometry.setAttribute('position', new BufferAttribute(surface.positions, 3));
+  if (surface.normals.length > 0) geometry.setAttribute('normal', new BufferAttribute(surface.normals, 3));
+  else geometry.deleteAttribute('normal');
+  geometry.setIndex(new BufferAttribute(surface.indices, 1));
+  const [minimum, maximum] = boundsOf(surface.info, frame);
+  geometry.boundingBox = new Box3(new Vector3(...minimum), new Vector3(...maximum));
+  geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new Sphere());
+}
