@@ -3,13 +3,7 @@ import { boundsOf } from './bounds.js';
 import { createDecoder, type Decoder, type DecoderOptions, type Source, type Surface, type SurfaceOptions } from './index.js';
 
 /** What `onProgress` gets, once a refinement. `geometry` is the same object each time. */
-export interface IsostarProgress {
-  readonly geometry: BufferGeometry;
-  readonly surface: Surface;
-  readonly loaded: number;
-  readonly total: number;
-  readonly lengthComputable: true;
-}
+export type IsostarProgress = ProgressEvent & { readonly geometry: BufferGeometry; readonly surface: Surface };
 
 /** Loads `.isostar` streams into a BufferGeometry that gets better while bytes arrive. */
 export class IsostarLoader extends Loader<BufferGeometry> {
@@ -87,7 +81,9 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     const refinements = onProgress ? 'newest' : 'last';
     for await (const surface of decoder.decode(source, { refinements, ...this.#surfaceOptions })) {
       showSurface(geometry, surface, this.#surfaceOptions);
-      onProgress?.({ geometry, surface, loaded: surface.bytes, total: surface.info.bytes, lengthComputable: true });
+      if (!onProgress) continue;
+      const progress = new ProgressEvent('progress', { lengthComputable: true, loaded: surface.bytes, total: surface.info.bytes });
+      onProgress(Object.assign(progress, { geometry, surface }));
     }
     return geometry;
   }

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Installs what is missing: Debian packages (as root) and npm packages. `setup.sh test` adds what only the tests need.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(
+  g++ cmake ninja-build ccache emscripten                 # compilers
+  libcli11-dev nlohmann-json3-dev libxxhash-dev           # the command line and the stream
+  libinsighttoolkit5-dev libnifti2-dev                    # volumes
+  libgtest-dev libglm-dev                                 # tests, built with everything else
+  libdraco-dev draco libmeshoptimizer-dev                 # what isostar is compared with
+)
+if [ "${1:-}" = test ]; then packages+=(chromium); fi
+
+isInstalled() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+missing=()
+for package in "${packages[@]}"; do isInstalled "$package" || missing+=("$package"); done
+if [ ${#missing[@]} -gt 0 ]; then
+  if [ "$(id -u)" != 0 ]; then
+    echo "setup: not root; run: apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  echo "setup: installing ${missing[*]}"
+  apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fi
+
+node -e '
+  const [major, minor] = process.versions.node.split(".").map(Number);
+  if (major < 20 || (major === 20 && minor < 19)) {
+    console.error(`setup: Node ${process.versions.node} is too old; 20.19 or later is needed`);
+    process.exit(1);
+  }'
+lock=$(sha256sum package-lock.json)
+if [ "$(cat node_modules/.isostar-lock 2>/dev/null)" != "$lock" ]; then
+  npm ci --no-audit --no-fund
+  echo "$lock" > node_modules/.isostar-lock
+fi
