@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "isostar/isostar.h"
+#include "volume/sample_buffer.h"
+
+// Options whose values are more than a number or a word. What makes no sense is refused while the line is parsed.
+namespace isostar::native {
+
+/// Grid: grid steps along the smallest spacing. World: the file's own unit, after spacing.
+enum class Units : uint8_t { Grid, World };
+
+CLI::Option* addPolygonizer(CLI::App&, Polygonizer&, const std::string& help);
+CLI::Option* addFrame(CLI::App&, Frame&, const std::string& help);
+CLI::Option* addUnits(CLI::App&, Units&, const std::string& help);
+CLI::Option* addUnits(CLI::App&, std::optional<Units>&, const std::string& help);  // no default
+CLI::Option* addSampleType(CLI::App&, std::optional<SampleType>&, const std::string& help);
+CLI::Option* addSize(CLI::App&, std::optional<ClaimedSize>&, const std::string& help);
+CLI::Option* addSpacing(CLI::App&, std::optional<std::array<double, 3>>&, const std::string& help);
+
+/// Refuses "nan" and "inf", which the parser takes for numbers.
+extern const CLI::Validator kFinite;
+extern const CLI::Validator kPositive;
+
+}  // namespace isostar::native

@@ -1,0 +1,125 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/choices.h"
+#include "cli/commands.h"
+#include "cli/stream_file.h"
+#include "cli/words.h"
+#include "cli/work_report.h"
+#include "files/failure.h"
+#include "files/input_file.h"
+#include "files/output_file.h"
+#include "files/text.h"
+#include "mesh_io/mesh_file.h"
+
+namespace isostar::native {
+namespace {
+
+struct Arguments {
+  std::string input, output;
+  std::optional<uint64_t> bytes;
+  std::optional<int> level;
+  std::optional<double> isovalue;
+  MeshOptions options;
+  bool json = false;
+};
+
+/// Where the first layer above the wanted level begins.
+size_t endOfLevel(const StreamInfo& info, int level, size_t whole) {
+  uint64_t end = info.headerBytes;
+  for (const LayerInfo& layer : info.layers) {
+    if (layer.level > level) return std::min<size_t>(end, whole);
+    end = layer.offset;
+  }
+  return whole;
+}
+
+size_t prefixLength(const Arguments& arguments, std::span<const std::byte> stream) {
+  if (arguments.bytes) return std::min<uint64_t>(*arguments.bytes, stream.size());
+  if (arguments.level) return endOfLevel(inspectStream(stream, arguments.input), *arguments.level, stream.size());
+  return stream.size();
+}
+
+void requireIsovalue(const Arguments& arguments, const StreamInfo& info) {
+  const auto& held = info.isovalues;
+  if (!arguments.isovalue || std::find(held.begin(), held.end(), *arguments.isovalue) != held.end()) return;
+  std::string list;
+  for (double isovalue : held) list += text("%s%.17g", list.empty() ? "" : ", ", isovalue);
+  throw Failure(arguments.input, text("does not hold isovalue %.17g; it holds %s", *arguments.isovalue, list.c_str()));
+}
+
+/// A file may be cut short; a prefix that was asked for is not worth a word.
+void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, size_t held) {
+  const bool asked = arguments.bytes || arguments.level;
+  if (!asked && !decoder.complete())
+    warn(text("%s ends early, after %zu bytes; the surface is level %d of %d", arguments.input.c_str(), held,
+              decoder.level(), decoder.levels() - 1));
+}
+
+std::string closingLine(const Arguments& arguments, const WorkReport& report, const Decoder& decoder) {
+  std::error_code ignored;
+  const uintmax_t written = std::filesystem::file_size(arguments.output, ignored);
+  return text("%s %s -> %s %s, %llu vertices, %llu triangles, RMS error %.3g grid steps", arguments.input.c_str(),
+              readableBytes(report.bytes).c_str(), arguments.output.c_str(),
+              ignored ? "" : readableBytes(written).c_str(), static_cast<unsigned long long>(report.vertices),
+              static_cast<unsigned long long>(report.triangles), decoder.rmsError());
+}
+
+void run(const Arguments& arguments) {
+  if (!canWriteMesh(arguments.output))
+    throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb", arguments.output.c_str()));
+  requireDifferent(arguments.input, arguments.output);
+  requireWritable(arguments.output);
+
+  WorkReport report{.work = "decode"};
+  const Stopwatch reading;
+  const std::vector<std::byte> stream = readFile(arguments.input);
+  report.io = reading.milliseconds();
+
+  const Stopwatch decoding;
+  const size_t length = prefixLength(arguments, stream);
+  const Decoder decoder = decodeStream(std::span(stream).first(length), arguments.input);
+  report.codec = decoding.milliseconds();
+  requireIsovalue(arguments, decoder.info());
+  warnOfMissingBytes(arguments, decoder, stream.size());
+
+  const Stopwatch polygonizing;
+  const Mesh mesh = surfaceOf(decoder, arguments.options, arguments.input);
+  report.polygonize = polygonizing.milliseconds();
+  report.peakMemory = peakMemory();
+
+  const Stopwatch writing;
+  writeMesh(mesh, arguments.output);
+  report.io += writing.milliseconds();
+
+  report.vertices = mesh.positions.size() / 3;
+  report.triangles = mesh.triangles.size() / 3;
+  report.bytes = length;
+  if (arguments.json) print(report);
+  say(closingLine(arguments, report, decoder));
+}
+
+}  // namespace
+
+void addDecode(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("decode", "Make a mesh of a stream, or of the first part of one");
+  const auto arguments = std::make_shared<Arguments>();
+  command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")->required();
+  command.add_option("output", arguments->output, "The mesh to write: .ply, .obj, .stl or .glb")->required();
+  auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")->type_name("N");
+  command.add_option("--level", arguments->level, "Stop before the first layer above level L, 0 being the coarsest")
+      ->type_name("L")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(bytes);
+  command.add_option("--iso", arguments->isovalue, "Which of the stream's isovalues")->check(kFinite)->type_name("V");
+  addPolygonizer(command, arguments->options.polygonizer,
+                 "One vertex a crossing edge, or one polygon a crossing tetrahedron");
+  addFrame(command, arguments->options.frame, "Apply spacing, origin and direction, or put sample (i,j,k) at (i,j,k)");
+  command.add_flag("--json", arguments->json, "Print sizes and times to standard output");
+  command.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace isostar::native

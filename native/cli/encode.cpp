@@ -1,0 +1,152 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/choices.h"
+#include "cli/commands.h"
+#include "cli/progress_bar.h"
+#include "cli/words.h"
+#include "cli/work_report.h"
+#include "files/failure.h"
+#include "files/output_file.h"
+#include "files/text.h"
+#include "volume/placement.h"
+#include "volume/read_volume.h"
+
+namespace isostar::native {
+namespace {
+
+struct Arguments {
+  VolumeRequest volume;
+  std::string output;
+  EncodeOptions options;
+  Units units = Units::Grid;
+  bool json = false;
+};
+
+/// The file's or the folder's length; 0 for a header whose samples lie elsewhere.
+uint64_t sourceBytes(const std::string& path) {
+  const std::string extension = extensionOf(path);
+  if (extension == ".nhdr" || extension == ".mhd" || extension == ".hdr") return 0;
+  if (!std::filesystem::is_directory(path)) return std::filesystem::file_size(path);
+  uint64_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  }
+  return bytes;
+}
+
+void writeWhole(const std::vector<std::byte>& bytes, const std::string& path) {
+  OutputFile file(path);
+  file.write(bytes.data(), bytes.size());
+  file.commit();
+}
+
+/// The bound as the user counts lengths.
+double boundInUnits(const Arguments& arguments, const Placement& placement) {
+  const double bound = arguments.options.maxError;
+  return arguments.units == Units::World ? bound * smallestSpacing(placement) : bound;
+}
+
+std::string closingLine(const Arguments& arguments, const StreamInfo& info) {
+  const uint64_t before = sourceBytes(arguments.volume.path);
+  const std::string source = arguments.volume.path + (before ? " " + readableBytes(before) : "");
+  const std::string error = info.lossless ? "lossless"
+                                          : text("error at most %g %s", boundInUnits(arguments, info.placement),
+                                                 arguments.units == Units::World ? "world units" : "grid steps");
+  return text("%s -> %s %s, %llu vertices, %s", source.c_str(), arguments.output.c_str(),
+              readableBytes(info.bytes).c_str(), static_cast<unsigned long long>(info.vertices), error.c_str());
+}
+
+void warnOfEmptySurface(const std::vector<float>& samples, double isovalue) {
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  warn(text("the surface is empty: the samples reach from %g to %g, the isovalue is %g", *low, *high, isovalue));
+}
+
+/// Counted on the source itself, after peak memory and times have been taken.
+void printReport(const Arguments& arguments, const LoadedVolume& volume, const StreamInfo& info, WorkReport report) {
+  report.peakMemory = peakMemory();
+  const Stopwatch polygonizing;
+  Mesh mesh;
+  const MeshOptions options{arguments.options.polygonizer, Frame::Grid, false};
+  if (const Error error = polygonize(volume.view(), arguments.options.isovalue, options, mesh); error != Error::None)
+    throw Failure(arguments.volume.path, describe(error));
+  report.polygonize = polygonizing.milliseconds();
+  report.vertices = mesh.positions.size() / 3;
+  report.triangles = mesh.triangles.size() / 3;
+  report.bytes = info.bytes;
+  print(report);
+}
+
+std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions options, const std::string& path) {
+  ProgressBar bar("encoding");
+  options.progress = [&bar](double done) { bar.show(done); };
+  std::vector<std::byte> stream;
+  if (const Error error = encode(volume.view(), options, stream); error != Error::None)
+    throw Failure(path, describe(error));
+  return stream;
+}
+
+void run(Arguments& arguments) {
+  if (arguments.volume.size.has_value() != arguments.volume.type.has_value())
+    throw UsageFault("a raw volume needs both --size and --type");
+  if (arguments.json && arguments.output == "-") throw UsageFault("--json and the stream cannot share standard output");
+  requireDifferent(arguments.volume.path, arguments.output);
+  requireWritable(arguments.output);
+
+  WorkReport report{.work = "encode"};
+  const Stopwatch reading;
+  const LoadedVolume volume = readVolume(arguments.volume);
+  report.io = reading.milliseconds();
+  for (const std::string& remark : volume.remarks) warn(arguments.volume.path + ": " + remark);
+
+  EncodeOptions options = arguments.options;
+  if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);
+  arguments.options = options;
+  const Stopwatch encoding;
+  const std::vector<std::byte> stream = encodeWithBar(volume, options, arguments.volume.path);
+  report.codec = encoding.milliseconds();
+
+  const Stopwatch writing;
+  writeWhole(stream, arguments.output);
+  report.io += writing.milliseconds();
+
+  StreamInfo info;
+  if (const Error error = inspect(stream, info); error != Error::None) throw Failure(arguments.output, describe(error));
+  if (info.vertices == 0) warnOfEmptySurface(volume.samples, options.isovalue);
+  if (arguments.json) printReport(arguments, volume, info, report);
+  say(closingLine(arguments, info));
+}
+
+}  // namespace
+
+void addEncode(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("encode", "Compress the isosurface of a volume");
+  const auto arguments = std::make_shared<Arguments>();
+  EncodeOptions& options = arguments->options;
+  command
+      .add_option("volume", arguments->volume.path,
+                  "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, or raw samples")
+      ->required();
+  command.add_option("output", arguments->output, "The stream to write, OUT.isostar; - for standard output")
+      ->required();
+  command.add_option("--iso", options.isovalue, "The isovalue; samples above it are inside")
+      ->required()
+      ->check(kFinite)
+      ->default_str("");
+  auto* bound = command
+                    .add_option("--max-error", options.maxError,
+                                "Farthest that the decoded surface and the source's may be apart")
+                    ->check(kPositive);
+  command.add_flag("--lossless", options.lossless, "Keep the polygonizer's own surface of the source")->excludes(bound);
+  addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
+  addUnits(command, arguments->units, "What lengths count: steps of the grid's smallest spacing, or the world's unit");
+  addSize(command, arguments->volume.size, "Samples along each axis of a raw volume, x fastest, little endian");
+  addSampleType(command, arguments->volume.type, "Sample type of a raw volume");
+  addSpacing(command, arguments->volume.spacing, "Distance of samples, overruling the file's");
+  command.add_flag("--json", arguments->json, "Print sizes and times to standard output");
+  command.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace isostar::native

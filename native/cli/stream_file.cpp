@@ -1,0 +1,39 @@
+#include "cli/stream_file.h"
+
+#include <unistd.h>
+
+#include "cli/progress_bar.h"
+#include "files/failure.h"
+
+namespace isostar::native {
+
+Limits nativeLimits() {
+  const auto memory = static_cast<uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+  return {.samples = uint64_t{1} << 36, .vertices = uint64_t{1} << 31, .memory = memory / 4 * 3};
+}
+
+StreamInfo inspectStream(std::span<const std::byte> bytes, const std::string& path) {
+  StreamInfo info;
+  if (const Error error = inspect(bytes, info); error != Error::None) throw Failure(path, describe(error));
+  return info;
+}
+
+Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) {
+  ProgressBar bar("decoding");
+  Decoder decoder(nativeLimits());
+  decoder.feed(bytes);
+  decoder.finish();
+  while (decoder.advance()) bar.show(static_cast<double>(decoder.bytes()) / static_cast<double>(bytes.size()));
+  const Error error = decoder.error();
+  const bool prefix = decoder.ready() && error == Error::Truncated;
+  if (error != Error::None && !prefix) throw Failure(path, describe(error));
+  return decoder;
+}
+
+Mesh surfaceOf(const Decoder& decoder, const MeshOptions& options, const std::string& path) {
+  Mesh mesh;
+  if (const Error error = decoder.mesh(options, mesh); error != Error::None) throw Failure(path, describe(error));
+  return mesh;
+}
+
+}  // namespace isostar::native

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isostar::native {
+
+/// All bytes of a file; "-" is standard input.
+std::vector<std::byte> readFile(const std::string& path);
+
+/// The length of a regular file. Fails with one line where there is none.
+uint64_t fileSize(const std::string& path);
+
+}  // namespace isostar::native

@@ -1,0 +1,144 @@
+#include "measure/surface_distance.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "measure/triangle_tree.h"
+
+namespace isostar::measure {
+namespace {
+
+constexpr size_t kFewestPoints = 50000;
+constexpr size_t kChunks = 64;  // fixed, so that sums do not depend on the number of threads
+
+/// A sequence of numbers in [0, 1) that is the same everywhere (splitmix64).
+class Dice {
+ public:
+  explicit Dice(uint64_t seed) : state_(seed) {}
+  double roll() {
+    state_ += 0x9E3779B97F4A7C15;
+    uint64_t z = state_;
+    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9;
+    z = (z ^ z >> 27) * 0x94D049BB133111EB;
+    return static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-53;
+  }
+
+ private:
+  uint64_t state_;
+};
+
+struct Sums {
+  double sum = 0, squares = 0, max = 0;
+  size_t count = 0;
+
+  void add(const Sums& other) {
+    sum += other.sum;
+    squares += other.squares;
+    max = std::max(max, other.max);
+    count += other.count;
+  }
+};
+
+void inParallel(size_t tasks, const std::function<void(size_t)>& work) {
+  std::atomic<size_t> next{0};
+  const auto worker = [&] {
+    for (size_t task; (task = next++) < tasks;) work(task);
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::max(2u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(worker);
+  worker();
+  for (std::thread& thread : threads) thread.join();
+}
+
+/// The area of all triangles before each one in the tree's order, and of all.
+std::vector<double> areasBefore(const TriangleTree& tree) {
+  std::vector<double> areas(tree.size() + 1);
+  for (size_t t = 0; t < tree.size(); ++t) areas[t + 1] = areas[t] + tree.triangle(t).area();
+  return areas;
+}
+
+/// One direction of the measurement, cut into chunks that any thread may take.
+class Direction {
+ public:
+  Direction(const Mesh& from, const TriangleTree& fromTree, const TriangleTree& to)
+      : mesh_(from), tree_(fromTree), to_(to), areas_(areasBefore(fromTree)), chunks_(kChunks) {
+    points_ = std::max(kFewestPoints, mesh_.positions.size() / 3);
+    used_.resize(mesh_.positions.size() / 3);
+    for (uint32_t vertex : mesh_.triangles) used_[vertex] = 1;
+  }
+
+  void measure(size_t chunk) {
+    measureVertices(chunk);
+    measurePoints(chunk);
+  }
+
+  Distance result() const {
+    Sums all;
+    for (const Sums& chunk : chunks_) all.add(chunk);
+    const double count = static_cast<double>(std::max<size_t>(1, all.count));
+    return {all.sum / count, std::sqrt(all.squares / count), all.max};
+  }
+
+ private:
+  static size_t boundary(size_t count, size_t chunk) { return count * chunk / kChunks; }
+
+  void measureVertices(size_t chunk) {
+    uint32_t near = 0;
+    for (size_t v = boundary(used_.size(), chunk); v < boundary(used_.size(), chunk + 1); ++v) {
+      if (used_[v]) chunks_[chunk].max = std::max(chunks_[chunk].max, to_.distance(vertexAt(mesh_.positions, v), near));
+    }
+  }
+
+  /// One point in each of `points_` equal shares of the area.
+  void measurePoints(size_t chunk) {
+    if (areas_.back() <= 0) return;
+    Dice dice(chunk);
+    Sums& sums = chunks_[chunk];
+    uint32_t near = 0;
+    size_t t = 0;
+    const double share = areas_.back() / static_cast<double>(points_);
+    for (size_t p = boundary(points_, chunk); p < boundary(points_, chunk + 1); ++p) {
+      const double at = share * (static_cast<double>(p) + dice.roll());
+      if (t == 0)
+        t = static_cast<size_t>(std::upper_bound(areas_.begin() + 1, areas_.end() - 1, at) - areas_.begin()) - 1;
+      while (t + 1 < tree_.size() && areas_[t + 1] <= at) ++t;
+      const double distance = to_.distance(pointIn(tree_.triangle(t), dice), near);
+      sums.add({distance, distance * distance, distance, 1});
+    }
+  }
+
+  static Vector3 pointIn(const Triangle& triangle, Dice& dice) {
+    double u = dice.roll(), v = dice.roll();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return triangle.at(u, v);
+  }
+
+  const Mesh& mesh_;
+  const TriangleTree& tree_;
+  const TriangleTree& to_;
+  std::vector<double> areas_;
+  std::vector<Sums> chunks_;
+  std::vector<uint8_t> used_;
+  size_t points_ = 0;
+};
+
+}  // namespace
+
+Distance SurfaceDistance::symmetric() const {
+  return {std::max(aToB.mean, bToA.mean), std::max(aToB.rms, bToA.rms), std::max(aToB.max, bToA.max)};
+}
+
+std::optional<SurfaceDistance> surfaceDistance(const Mesh& a, const Mesh& b) {
+  if (a.triangles.empty() || b.triangles.empty()) return {};
+  std::optional<TriangleTree> treeA, treeB;
+  inParallel(2, [&](size_t which) { which == 0 ? treeA.emplace(a) : treeB.emplace(b); });
+  Direction aToB(a, *treeA, *treeB), bToA(b, *treeB, *treeA);
+  inParallel(2 * kChunks, [&](size_t task) { task < kChunks ? aToB.measure(task) : bToA.measure(task - kChunks); });
+  return SurfaceDistance{aToB.result(), bToA.result()};
+}
+
+}  // namespace isostar::measure

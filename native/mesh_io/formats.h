@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "files/output_file.h"
+#include "isostar/isostar.h"
+
+// One pair a format, chosen by readMesh() and writeMesh(). Readers get the whole file; `path` is for their complaints.
+namespace isostar::native {
+
+void writePly(const Mesh&, OutputFile&);
+void writeObj(const Mesh&, OutputFile&);
+void writeStl(const Mesh&, OutputFile&);
+void writeGlb(const Mesh&, OutputFile&);
+
+Mesh readPly(std::span<const std::byte>, const std::string& path);
+Mesh readObj(std::span<const std::byte>, const std::string& path);
+Mesh readStl(std::span<const std::byte>, const std::string& path);
+
+}  // namespace isostar::native

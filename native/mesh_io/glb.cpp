@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "files/failure.h"
+#include "mesh_io/formats.h"
+
+namespace isostar::native {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+
+/// The binary chunk as a list of borrowed pieces, and the JSON that describes them.
+class Scene {
+ public:
+  explicit Scene(const Mesh& mesh) {
+    json_ = {{"asset", {{"version", "2.0"}, {"generator", "isostar"}}}, {"scene", 0}};
+    // glTF knows no empty accessor: an empty surface is a scene without nodes.
+    if (mesh.triangles.empty()) {
+      json_["scenes"] = Json::array({Json::object()});
+      return;
+    }
+    json_["scenes"] = Json::array({{{"nodes", {0}}}});
+    json_["nodes"] = Json::array({{{"mesh", 0}}});
+    Json primitive{{"attributes", {{"POSITION", addVectors(mesh.positions)}}}, {"material", 0}};
+    if (!mesh.normals.empty()) primitive["attributes"]["NORMAL"] = addVectors(mesh.normals);
+    primitive["indices"] = add(mesh.triangles.data(), mesh.triangles.size() * 4, kElementArrayBuffer,
+                               {{"componentType", kUnsignedInt}, {"count", mesh.triangles.size()}, {"type", "SCALAR"}});
+    json_["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
+    // A surface that leaves the box is open there, and its inside is seen.
+    json_["materials"] = Json::array({{{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}}});
+    json_["buffers"] = Json::array({{{"byteLength", length_}}});
+  }
+
+  void write(OutputFile& file) const {
+    std::string json = json_.dump();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const uint64_t total = 12 + 8 + json.size() + (length_ > 0 ? 8 + length_ : 0);
+    if (total > UINT32_MAX) throw Failure(file.target(), "the surface is too large for GLB, which ends at 4 GB");
+    writeWords(file, {0x46546C67, 2, static_cast<uint32_t>(total)});
+    writeWords(file, {static_cast<uint32_t>(json.size()), kJsonChunk});
+    file.write(json.data(), json.size());
+    if (length_ == 0) return;
+    writeWords(file, {static_cast<uint32_t>(length_), kBinaryChunk});
+    for (const auto& [bytes, count] : pieces_) file.write(bytes, count);
+  }
+
+ private:
+  static void writeWords(OutputFile& file, std::initializer_list<uint32_t> words) {
+    for (uint32_t word : words) file.write(&word, 4);
+  }
+
+  size_t add(const void* bytes, size_t count, int target, Json accessor) {
+    const size_t index = pieces_.size();
+    json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", length_}, {"byteLength", count}, {"target", target}});
+    accessor["bufferView"] = index;
+    json_["accessors"].push_back(std::move(accessor));
+    pieces_.push_back({bytes, count});
+    length_ += count;
+    return index;
+  }
+
+  size_t addVectors(const std::vector<float>& numbers) {
+    std::array<float, 3> low, high;
+    std::copy_n(numbers.begin(), 3, low.begin());
+    high = low;
+    for (size_t i = 0; i < numbers.size(); ++i) {
+      low[i % 3] = std::min(low[i % 3], numbers[i]);
+      high[i % 3] = std::max(high[i % 3], numbers[i]);
+    }
+    return add(
+        numbers.data(), numbers.size() * 4, kArrayBuffer,
+        {{"componentType", kFloat}, {"count", numbers.size() / 3}, {"type", "VEC3"}, {"min", low}, {"max", high}});
+  }
+
+  Json json_;
+  std::vector<std::pair<const void*, size_t>> pieces_;
+  uint64_t length_ = 0;
+};
+
+}  // namespace
+
+void writeGlb(const Mesh& mesh, OutputFile& file) {
+  Scene(mesh).write(file);
+}
+
+}  // namespace isostar::native

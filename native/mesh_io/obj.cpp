@@ -1,0 +1,109 @@
+#include <array>
+#include <charconv>
+
+#include "files/failure.h"
+#include "files/text.h"
+#include "mesh_io/formats.h"
+#include "mesh_io/words.h"
+
+namespace isostar::native {
+namespace {
+
+/// One line of text of known greatest length, written number by number.
+class Line {
+ public:
+  void letters(const char* letters) {
+    while (*letters) *at_++ = *letters++;
+  }
+  void number(auto value) { at_ = std::to_chars(at_, text_.data() + text_.size(), value).ptr; }
+  void writeTo(OutputFile& file) {
+    *at_++ = '\n';
+    file.write(text_.data(), static_cast<size_t>(at_ - text_.data()));
+    at_ = text_.data();
+  }
+
+ private:
+  std::array<char, 128> text_;
+  char* at_ = text_.data();
+};
+
+void writeVectors(const char* keyword, const std::vector<float>& numbers, OutputFile& file) {
+  Line line;
+  for (size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    line.letters(keyword);
+    for (size_t axis = 0; axis < 3; ++axis) {
+      line.letters(" ");
+      line.number(numbers[i + axis]);
+    }
+    line.writeTo(file);
+  }
+}
+
+void readVertex(std::string_view line, Mesh& mesh, const std::string& path) {
+  for (int axis = 0; axis < 3; ++axis) {
+    float coordinate;
+    if (!parseNumber(nextWord(line), coordinate))
+      throw Failure(path, text("vertex %zu has no three coordinates", mesh.positions.size() / 3));
+    mesh.positions.push_back(coordinate);
+  }
+}
+
+/// "7/2/7" names vertex 7, "-1" the last one so far.
+uint32_t cornerOf(std::string_view word, size_t vertices, const std::string& path) {
+  int64_t index = 0;
+  const bool number = parseNumber(word.substr(0, word.find('/')), index);
+  const int64_t found = index < 0 ? static_cast<int64_t>(vertices) + index : index - 1;
+  if (!number || found < 0 || found > UINT32_MAX)
+    throw Failure(path, text("a face uses vertex %s", std::string(word).c_str()));
+  return static_cast<uint32_t>(found);
+}
+
+void readFace(std::string_view line, Mesh& mesh, const std::string& path) {
+  const size_t vertices = mesh.positions.size() / 3;
+  uint32_t first = 0, previous = 0;
+  int corners = 0;
+  for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line), ++corners) {
+    const uint32_t corner = cornerOf(word, vertices, path);
+    if (corners == 0) first = corner;
+    if (corners >= 2) mesh.triangles.insert(mesh.triangles.end(), {first, previous, corner});
+    previous = corner;
+  }
+}
+
+}  // namespace
+
+void writeObj(const Mesh& mesh, OutputFile& file) {
+  const bool normals = !mesh.normals.empty();
+  Line line;
+  line.letters("# isostar");
+  line.writeTo(file);
+  writeVectors("v", mesh.positions, file);
+  writeVectors("vn", mesh.normals, file);
+  for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+    line.letters("f");
+    for (size_t corner = 0; corner < 3; ++corner) {
+      line.letters(" ");
+      line.number(mesh.triangles[i + corner] + uint64_t{1});
+      if (!normals) continue;
+      line.letters("//");
+      line.number(mesh.triangles[i + corner] + uint64_t{1});
+    }
+    line.writeTo(file);
+  }
+}
+
+Mesh readObj(std::span<const std::byte> bytes, const std::string& path) {
+  Mesh mesh;
+  bool known = false;
+  for (Words words(bytes); !words.atEnd();) {
+    std::string_view line = words.line();
+    const std::string_view keyword = nextWord(line);
+    if (keyword == "v") readVertex(line, mesh, path);
+    if (keyword == "f") readFace(line, mesh, path);
+    known = known || keyword == "v" || keyword == "#" || keyword == "o" || keyword == "mtllib";
+  }
+  if (!known) throw Failure(path, "is no OBJ file");
+  return mesh;
+}
+
+}  // namespace isostar::native

@@ -1,0 +1,121 @@
+#include "volume/itk_image.h"
+
+#include <itkImageIOBase.h>
+
+#include <regex>
+
+#include "files/failure.h"
+#include "files/input_file.h"
+#include "files/text.h"
+#include "volume/placement.h"
+
+namespace isostar::native {
+namespace {
+
+/// ITK's own words without its class names and addresses.
+std::string plainWords(const itk::ExceptionObject& error) {
+  static const std::regex kClassName("(ITK ERROR: )?\\w+\\(0x[0-9a-fA-F]+\\): ");
+  return oneLine(std::regex_replace(error.GetDescription(), kClassName, ""));
+}
+
+SampleType sampleType(const itk::ImageIOBase& io, const std::string& path) {
+  using Component = itk::IOComponentEnum;
+  const size_t bytes = io.GetComponentSize();
+  switch (io.GetComponentType()) {
+    case Component::UCHAR:
+      return SampleType::U8;
+    case Component::CHAR:
+      return SampleType::I8;
+    case Component::USHORT:
+      return SampleType::U16;
+    case Component::SHORT:
+      return SampleType::I16;
+    case Component::UINT:
+    case Component::ULONG:
+    case Component::ULONGLONG:
+      return bytes == 4 ? SampleType::U32 : SampleType::U64;
+    case Component::INT:
+    case Component::LONG:
+    case Component::LONGLONG:
+      return bytes == 4 ? SampleType::I32 : SampleType::I64;
+    case Component::FLOAT:
+      return SampleType::F32;
+    case Component::DOUBLE:
+      return SampleType::F64;
+    default:
+      throw Failure(path, "its samples are of a type that is not read");
+  }
+}
+
+/// Axes beyond the third may only be there in name.
+void requireOneVolume(const itk::ImageIOBase& io, const std::string& path) {
+  if (io.GetNumberOfComponents() != 1)
+    throw Failure(path, text("has %u values a sample; one is needed", io.GetNumberOfComponents()));
+  for (unsigned axis = 3; axis < io.GetNumberOfDimensions(); ++axis) {
+    if (io.GetDimensions(axis) != 1)
+      throw Failure(path, text("has %u dimensions; one volume of three is needed", io.GetNumberOfDimensions()));
+  }
+}
+
+Placement placementIn(const itk::ImageIOBase& io, const std::string& path) {
+  const unsigned dimensions = std::min(3u, io.GetNumberOfDimensions());
+  std::array<double, 3> origin{};
+  AxisSteps steps{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (unsigned axis = 0; axis < dimensions; ++axis) {
+    const std::vector<double> direction = io.GetDirection(axis);
+    origin[axis] = io.GetOrigin(axis);
+    for (unsigned row = 0; row < dimensions; ++row) steps[axis][row] = direction[row] * io.GetSpacing(axis);
+  }
+  return placementOf(path, origin, steps);
+}
+
+}  // namespace
+
+void quietItk() {
+  itk::Object::GlobalWarningDisplayOff();
+}
+
+ItkHeader readHeader(itk::ImageIOBase& io, const std::string& path) {
+  quietItk();
+  fileSize(path);
+  try {
+    io.SetFileName(path);
+    if (!io.CanReadFile(path.c_str())) throw Failure(path, "is not what its name says");
+    io.ReadImageInformation();
+  } catch (const itk::ExceptionObject& error) {
+    throw Failure(path, plainWords(error));
+  }
+  requireOneVolume(io, path);
+  ItkHeader header{.type = sampleType(io, path), .placement = placementIn(io, path)};
+  for (unsigned axis = 0; axis < std::min(3u, io.GetNumberOfDimensions()); ++axis)
+    header.size[axis] = static_cast<int64_t>(io.GetDimensions(axis));
+  return header;
+}
+
+void readSamples(itk::ImageIOBase& io, const std::string& path, std::byte* to) {
+  const unsigned dimensions = io.GetNumberOfDimensions();
+  itk::ImageIORegion whole(dimensions);
+  for (unsigned axis = 0; axis < dimensions; ++axis) {
+    whole.SetIndex(axis, 0);
+    whole.SetSize(axis, io.GetDimensions(axis));
+  }
+  io.SetIORegion(whole);
+  try {
+    io.Read(to);
+  } catch (const itk::ExceptionObject& error) {
+    throw Failure(path, plainWords(error));
+  }
+}
+
+LoadedVolume readWholeImage(itk::ImageIOBase& io, const std::string& path, bool attached) {
+  const ItkHeader header = readHeader(io, path);
+  SampleBuffer buffer(path, header.size, header.type, attached ? fileSize(path) : 0);
+  readSamples(io, path, buffer.data());
+  LoadedVolume volume;
+  volume.size = buffer.size();
+  volume.placement = header.placement;
+  volume.samples = buffer.take();
+  return volume;
+}
+
+}  // namespace isostar::native

@@ -1,0 +1,13 @@
+#include <itkNrrdImageIO.h>
+
+#include "files/text.h"
+#include "volume/formats.h"
+#include "volume/itk_image.h"
+
+namespace isostar::native {
+
+LoadedVolume readNrrd(const std::string& path) {
+  return readWholeImage(*itk::NrrdImageIO::New(), path, extensionOf(path) == ".nrrd");
+}
+
+}  // namespace isostar::native

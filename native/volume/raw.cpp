@@ -1,0 +1,27 @@
+// A file of samples and nothing else, x fastest, little endian; the command line tells the rest.
+#include <cstring>
+#include <fstream>
+
+#include "files/failure.h"
+#include "files/input_file.h"
+#include "files/text.h"
+#include "volume/formats.h"
+
+namespace isostar::native {
+
+LoadedVolume readRaw(const VolumeRequest& request) {
+  const uint64_t length = fileSize(request.path);
+  SampleBuffer buffer(request.path, *request.size, *request.type, length);
+  if (buffer.bytes() != length)
+    throw Failure(request.path, text("has %llu bytes, --size and --type ask for %zu",
+                                     static_cast<unsigned long long>(length), buffer.bytes()));
+  std::ifstream file(request.path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(buffer.bytes()));
+  if (!file) throw Failure(request.path, text("cannot be read: %s", std::strerror(errno)));
+  LoadedVolume volume;
+  volume.size = buffer.size();
+  volume.samples = buffer.take();
+  return volume;
+}
+
+}  // namespace isostar::native
