@@ -12,3 +12,4 @@ cmake --build --preset release
 NODE_PATH=/usr/share/nodejs cmake --preset wasm >build/configure-wasm.log 2>&1 || { cat build/configure-wasm.log >&2; exit 1; }
 NODE_PATH=/usr/share/nodejs cmake --build --preset wasm
 npm run --silent --workspace web build
+npx vite build web/viewer --config web/viewer/vite.config.ts --logLevel error

@@ -14,14 +14,16 @@ export async function loadModule(wasm: WasmSource = new URL('./decoder.wasm', im
 }
 
 async function readAddress(address: URL | string): Promise<BufferSource> {
-  if (String(address).startsWith('file:')) {
-    // Node's fetch does not read files.
-    const files = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
-    return (await files.readFile(new URL(address))) as Uint8Array<ArrayBuffer>;
-  }
+  if (String(address).startsWith('file:')) return readFile(new URL(address));
   const response = await fetch(address);
   if (!response.ok) throw new IsostarError('BadArgument', `${address} answers ${response.status} ${response.statusText}`);
   return response.arrayBuffer();
+}
+
+/** Node's fetch does not read files. The module's name is a parameter so that bundlers for browsers do not look for it. */
+async function readFile(address: URL, module = 'node:fs/promises'): Promise<Uint8Array<ArrayBuffer>> {
+  const files = (await import(/* webpackIgnore: true */ /* @vite-ignore */ module)) as typeof import('node:fs/promises');
+  return (await files.readFile(address)) as Uint8Array<ArrayBuffer>;
 }
 
 /** Servers like to answer a wrong path with a page. */

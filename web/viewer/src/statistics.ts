@@ -1,0 +1,80 @@
+import { bytes, duration, integer, short } from './format.ts';
+
+/** What is known of one side so far; what is not known yet is missing. */
+export interface Figures {
+  bytes?: number;
+  totalBytes?: number;
+  /** Of the surface that marching cubes makes: bits are counted per vertex of it, on both sides. */
+  sourceVertices?: number;
+  error?: number;
+  level?: string;
+  vertices?: number;
+  triangles?: number;
+  first?: number;
+  complete?: number;
+  decode?: number;
+  polygonize?: number;
+}
+
+type Row = readonly [key: string, label: string, unit: string, value: (figures: Figures) => string | undefined];
+
+const ROWS: readonly Row[] = [
+  ['bytes', 'Bytes shown', '', (f) => f.bytes === undefined ? undefined : bytes(f.bytes)],
+  ['bits', 'Bits per vertex', '', (f) => f.bytes === undefined || !f.sourceVertices ? undefined : short((8 * f.bytes) / f.sourceVertices)],
+  ['error', 'RMS error', 'grid steps', (f) => f.error === undefined ? undefined : f.error.toFixed(3)],
+  ['level', 'Level', '', (f) => f.level],
+  ['vertices', 'Vertices', '', (f) => f.vertices === undefined ? undefined : integer(f.vertices)],
+  ['triangles', 'Triangles', '', (f) => f.triangles === undefined ? undefined : integer(f.triangles)],
+  ['first', 'First surface', 'after', (f) => f.first === undefined ? undefined : duration(f.first)],
+  ['complete', 'Complete', 'after', (f) => f.complete === undefined ? undefined : duration(f.complete)],
+  ['decode', 'Decode', '', (f) => f.decode === undefined ? undefined : duration(f.decode)],
+  ['polygonize', 'Polygonize', 'or normals', (f) => f.polygonize === undefined ? undefined : duration(f.polygonize)],
+];
+
+/** The table beside the picture, and the two bars above it. */
+export class Statistics {
+  readonly #cells = new Map<string, HTMLElement>();
+  readonly #headline: HTMLElement;
+
+  constructor(table: HTMLTableElement, headline: HTMLElement) {
+    this.#headline = headline;
+    for (const [key, label, unit] of ROWS) {
+      const row = table.tBodies[0]!.insertRow();
+      const head = document.createElement('th');
+      head.scope = 'row';
+      head.append(label);
+      if (unit) head.append(' ', Object.assign(document.createElement('small'), { textContent: unit }));
+      row.append(head);
+      for (const side of ['isostar', 'draco']) {
+        const cell = row.insertCell();
+        cell.dataset.column = side;
+        cell.dataset.stat = `${side}-${key}`;
+        this.#cells.set(cell.dataset.stat, cell);
+      }
+    }
+  }
+
+  show(side: 'isostar' | 'draco', figures: Figures): void {
+    for (const [key, , , value] of ROWS) this.#cells.get(`${side}-${key}`)!.textContent = value(figures) ?? '–';
+  }
+
+  /** The two files beside each other, when both sizes are known. */
+  compare(isostar: Figures, draco: Figures): void {
+    const ours = isostar.totalBytes;
+    const theirs = draco.totalBytes;
+    this.#headline.hidden = ours === undefined || theirs === undefined;
+    if (ours === undefined || theirs === undefined) return;
+    const larger = Math.max(ours, theirs);
+    for (const [side, size] of [['isostar', ours], ['draco', theirs]] as const) {
+      this.#headline.querySelector(`[data-size=${side}]`)!.textContent = bytes(size);
+      this.#headline.querySelector<HTMLElement>(`[data-bar=${side}]`)!.style.transform = `scaleX(${size / larger})`;
+    }
+    const ratio = this.#headline.querySelector('[data-role=ratio]')!;
+    ratio.textContent = ours < theirs ? `${short(theirs / ours)}× smaller` : `${short(ours / theirs)}× larger`;
+    if (isostar.first === undefined || draco.first === undefined || isostar.first > 0.95 * draco.first) return;
+    const sooner = Object.assign(document.createElement('small'), {
+      textContent: `first surface ${short(draco.first / isostar.first)}× sooner`,
+    });
+    ratio.append(sooner);
+  }
+}

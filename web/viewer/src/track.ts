@@ -1,0 +1,72 @@
+import { createDecoder, IsostarError, type DecodeOptions, type Decoder, type Polygonizer, type Source, type Surface } from 'isostar';
+import type { Download } from './download.ts';
+import { idle } from './idle.ts';
+
+const DEBOUNCE = 60;  // milliseconds
+
+export interface TrackEvents {
+  /** `isLive`: of the bytes as they arrive; otherwise of the prefix that was asked for. */
+  surface(surface: Surface, isLive: boolean): void;
+  failure(reason: unknown): void;
+}
+
+/** What is shown of one stream: its bytes as they arrive, or a prefix of those that are here. */
+export class Track {
+  readonly #decoder: Promise<Decoder> = createDecoder();
+  readonly #events: TrackEvents;
+  #polygonizer: Polygonizer = 'cubes';
+  #download: Download | undefined;
+  #prefix: number | undefined;
+  #run = new AbortController();
+
+  constructor(events: TrackEvents) {
+    this.#events = events;
+  }
+
+  /** Resolves when the decoder is loaded. */
+  async ready(): Promise<void> {
+    await this.#decoder;
+  }
+
+  play(download: Download): void {
+    this.#download = download;
+    this.#prefix = undefined;
+    void this.#restart();
+  }
+
+  setPolygonizer(polygonizer: Polygonizer): void {
+    this.#polygonizer = polygonizer;
+    void this.#restart();
+  }
+
+  /** Shows the first bytes only. */
+  scrub(bytes: number): void {
+    this.#prefix = bytes;
+    void this.#restart(DEBOUNCE);
+  }
+
+  async #restart(delay = 0): Promise<void> {
+    this.#run.abort();
+    this.#run = new AbortController();
+    const { signal } = this.#run;
+    if (delay) await new Promise((resolve) => setTimeout(resolve, delay));
+    const download = this.#download;
+    if (!download || signal.aborted) return;
+    const options = { signal, polygonizer: this.#polygonizer };
+    if (this.#prefix === undefined) await this.#show(download.pieces(), options, true);
+    else await this.#show(download.prefix(this.#prefix), { ...options, refinements: 'last' }, false);
+  }
+
+  async #show(source: Source, options: DecodeOptions & { signal: AbortSignal }, isLive: boolean): Promise<void> {
+    try {
+      for await (const surface of (await this.#decoder).decode(source, options)) {
+        await idle();
+        options.signal.throwIfAborted();
+        this.#events.surface(surface, isLive);
+      }
+    } catch (reason) {
+      const isPrefixEnd = !isLive && reason instanceof IsostarError && reason.code === 'Truncated';
+      if (!options.signal.aborted && !isPrefixEnd) this.#events.failure(reason);
+    }
+  }
+}
