@@ -1,0 +1,137 @@
+// Signs of an octave's vertices, kept in bricks that exist only near the surface.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lattice.h"
+
+namespace isostar {
+
+inline constexpr int kBrickSide = 8;
+
+constexpr std::size_t power(std::size_t base, int exponent) {
+  std::size_t value = 1;
+  for (int i = 0; i < exponent; ++i) value *= base;
+  return value;
+}
+
+/// 8^D signs; bit x of byte r is vertex (x, y, …) with r = y + 8 z + …: in 3D one cache line.
+template <int D>
+struct Brick {
+  std::array<uint8_t, power(kBrickSide, D - 1)> rows;
+  friend bool operator==(const Brick&, const Brick&) = default;
+};
+
+/// A brick's place among bricks, and in the table.
+template <int D>
+class BrickTable {
+ public:
+  BrickTable() = default;
+  explicit BrickTable(const Lattice<D>& lattice) {
+    size_t total = 1;
+    for (int a = 0; a < D; ++a) {
+      count_[a] = lattice.last[a] / kBrickSide + 1;
+      stride_[a] = total;
+      total *= static_cast<std::size_t>(count_[a]);
+    }
+    total_ = total;
+  }
+
+  [[nodiscard]] std::size_t total() const { return total_; }
+  [[nodiscard]] int32_t count(int axis) const { return count_[axis]; }
+  [[nodiscard]] std::size_t stride(int axis) const { return stride_[axis]; }
+  [[nodiscard]] std::size_t place(const Coordinates<D>& brick) const {
+    std::size_t at = 0;
+    for (int a = 0; a < D; ++a) at += static_cast<std::size_t>(brick[a]) * stride_[a];
+    return at;
+  }
+  [[nodiscard]] Coordinates<D> brick(std::size_t place) const {
+    Coordinates<D> at{};
+    for (int a = D - 1; a >= 0; --a) {
+      at[a] = static_cast<int32_t>(place / stride_[a]);
+      place %= stride_[a];
+    }
+    return at;
+  }
+
+ private:
+  std::array<int32_t, D> count_{};
+  std::array<std::size_t, D> stride_{};
+  std::size_t total_ = 0;
+};
+
+/// A sign for every vertex of a lattice. Bricks 0 and 1 are shared by all places that are wholly negative or positive.
+template <int D>
+class Signs {
+ public:
+  static constexpr uint32_t kNegative = 0, kPositive = 1;
+
+  Signs() = default;
+  explicit Signs(const Lattice<D>& lattice) : lattice_(lattice), table_(lattice), at_(table_.total(), kNegative), bricks_(2) {
+    bricks_[kNegative].rows.fill(0x00);
+    bricks_[kPositive].rows.fill(0xFF);
+  }
+
+  [[nodiscard]] const Lattice<D>& lattice() const { return lattice_; }
+  [[nodiscard]] const BrickTable<D>& table() const { return table_; }
+  [[nodiscard]] uint32_t index(std::size_t place) const { return at_[place]; }
+  [[nodiscard]] const Brick<D>& brick(uint32_t index) const { return bricks_[index]; }
+  [[nodiscard]] const Brick<D>& brickAt(std::size_t place) const { return bricks_[at_[place]]; }
+  [[nodiscard]] uint32_t brickCount() const { return static_cast<uint32_t>(bricks_.size()); }
+  [[nodiscard]] std::size_t memory() const { return at_.size() * sizeof(uint32_t) + bricks_.size() * sizeof(Brick<D>); }
+
+  void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }
+  void setUniform(std::size_t place, uint32_t uniform) { at_[place] = uniform; }
+
+  /// The brick at a place, to be written: a uniform one gets rows of its own first.
+  Brick<D>& writable(std::size_t place) {
+    uint32_t& index = at_[place];
+    if (index <= kPositive) {
+      bricks_.push_back(bricks_[index]);
+      index = brickCount() - 1;
+    }
+    return bricks_[index];
+  }
+  /// Puts a brick at a place that has none of its own yet; one of a single sign is shared.
+  void put(std::size_t place, const Brick<D>& brick) {
+    if (brick == bricks_[kNegative]) {
+      at_[place] = kNegative;
+    } else if (brick == bricks_[kPositive]) {
+      at_[place] = kPositive;
+    } else {
+      at_[place] = brickCount();
+      bricks_.push_back(brick);
+    }
+  }
+  void reserve(std::size_t bricks) { bricks_.reserve(bricks); }
+
+  [[nodiscard]] bool at(const Coordinates<D>& v) const {
+    return (brickAt(placeOf(v)).rows[rowOf(v)] >> (v[0] & 7) & 1) != 0;
+  }
+  void set(const Coordinates<D>& v, bool positive) {
+    if (at(v) == positive) return;
+    writable(placeOf(v)).rows[rowOf(v)] ^= static_cast<uint8_t>(1u << (v[0] & 7));
+  }
+
+ private:
+  [[nodiscard]] std::size_t placeOf(const Coordinates<D>& v) const {
+    std::size_t place = 0;
+    for (int a = 0; a < D; ++a) place += static_cast<std::size_t>(v[a] >> 3) * table_.stride(a);
+    return place;
+  }
+  [[nodiscard]] static std::size_t rowOf(const Coordinates<D>& v) {
+    std::size_t row = 0;
+    for (int a = D - 1; a >= 1; --a) row = row * 8 + static_cast<std::size_t>(v[a] & 7);
+    return row;
+  }
+
+  Lattice<D> lattice_;
+  BrickTable<D> table_;
+  std::vector<uint32_t> at_;
+  std::vector<Brick<D>> bricks_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,36 @@
+// Scalars where none have been told (yet): estimated from the signs and from known neighbours, for display only.
+#pragma once
+
+#include "octave.h"
+#include "prediction.h"
+#include "tube.h"
+
+namespace isostar {
+
+/// Gives every vertex of a class in the active bricks a value, least 1 half quantum. Known ones stay.
+template <int D>
+void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, Scalars<D>& scalars) {
+  constexpr int kPlainGradient = 4 * 12;  // where nothing has been told: any will do, only ratios show
+  const Scalars<D> known = scalars;
+  Tube<D> tube;
+  ScalarWindow<D> window;
+  int gradient = kPlainGradient;
+  for (std::size_t place = 0; place < active.size(); ++place) {
+    if (active[place] == 0) continue;
+    tube.enter(signs, place, members);
+    if (tube.empty()) continue;
+    if (known.has(place)) gradient = known.gradient(place);
+    window.load(known, tube.table(), tube.at());
+    auto& brick = scalars.writable(place);
+    const int64_t steps = halfQuanta(gradient);
+    tube.forEach([&](int row, std::size_t r, int x) {
+      const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+      if (brick.knows(v)) return;
+      const auto guess = Prediction<D>::template of<false>(tube.window(), window, row, r, x, steps);
+      const auto value = static_cast<int32_t>(std::clamp<int64_t>(guess.magnitude, std::max<int64_t>(1, steps / 8), INT32_MAX / 2));
+      brick.value[v] = tube.positive(row, x) ? value : -value;
+    });
+  }
+}
+
+}  // namespace isostar

@@ -1,0 +1,78 @@
+// The only place where truth meets the coder, and the only door that a traversal has.
+#pragma once
+
+#include <optional>
+
+#include "bricks.h"
+#include "models.h"
+#include "simplex.h"
+
+namespace isostar {
+
+/// The encoder's side: answers are the field's, told to a RangeEncoder or a Meter. Truth is asked for the signs of the
+/// octave in work or for scalars.
+template <int D, class Coder, class Field>
+class TruthExchange {
+ public:
+  TruthExchange(Coder& coder, const Signs<D>& truth, const Field& field) : coder_(coder), truth_(truth), field_(field) {}
+
+  Coder& coder() { return coder_; }
+  [[nodiscard]] bool spent(std::size_t = 0) const { return false; }
+
+  /// The true signs of a row of a brick, bit x is vertex x.
+  [[nodiscard]] uint32_t row(std::size_t place, std::size_t r) const { return truth_.brickAt(place).rows[r]; }
+  /// Is any vertex of a brick not of the sign given?
+  [[nodiscard]] bool varies(std::size_t place, uint32_t uniform) const { return truth_.index(place) != uniform; }
+  [[nodiscard]] bool positive(const Coordinates<D>& v) const { return truth_.at(v); }
+  /// The first crossing simplex that has not been visited.
+  [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>& lattice, const std::vector<bool>& visited) const {
+    for (std::size_t at = 0; at < visited.size(); ++at) {
+      if (visited[at]) continue;
+      const auto simplex = Simplex<D>::at(at, lattice);
+      int positives = 0;
+      for (int i = 0; i <= D; ++i) positives += truth_.at(simplex.vertex(i));
+      if (positives != 0 && positives != D + 1) return simplex;
+    }
+    return std::nullopt;
+  }
+
+  /// |scalar - isovalue| in quanta, of vertex x in row r of a brick of the finest octave.
+  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(place, r, x); }
+  /// The typical difference along a crossing edge of the brick, 4 log2 of quanta.
+  [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(place); }
+
+ private:
+  Coder& coder_;
+  const Signs<D>& truth_;
+  const Field& field_;
+};
+
+/// The decoder's side: there is no field to ask, so that a peek at the truth does not compile into anything.
+template <int D>
+class BlindExchange {
+ public:
+  /// Stops after `slack` bytes past the end, or when the state in work takes more than `budget` bytes.
+  BlindExchange(RangeDecoder& coder, std::size_t slack, std::size_t budget) : coder_(coder), slack_(slack), budget_(budget) {}
+
+  RangeDecoder& coder() { return coder_; }
+  /// Are the bytes or the budget used up? What would be decoded from here on is noise.
+  [[nodiscard]] bool spent(std::size_t memory = 0) {
+    overBudget_ = overBudget_ || memory > budget_;
+    return overBudget_ || coder_.overrun() > slack_;
+  }
+  [[nodiscard]] bool overBudget() const { return overBudget_; }
+
+  [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
+  [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
+  [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
+  [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const { return std::nullopt; }
+  [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
+  [[nodiscard]] int gradient(std::size_t) const { return 0; }
+
+ private:
+  RangeDecoder& coder_;
+  std::size_t slack_, budget_;
+  bool overBudget_ = false;
+};
+
+}  // namespace isostar

@@ -1,0 +1,99 @@
+#include "field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "octave.h"
+#include "tube.h"
+
+namespace isostar {
+
+Signs<3> VolumeField::signs(int32_t step) const {
+  const Lattice<3> lattice(last_, step);
+  Signs<3> signs(lattice);
+  const auto& table = signs.table();
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    const auto brick = table.brick(place);
+    Brick<3> bits;
+    for (int r = 0; r < 64; ++r) {
+      // Beyond the lattice the last plane goes on, so that a uniform brick at the box's end is one.
+      const int32_t y = std::min(brick[1] * kBrickSide + r % 8, lattice.last[1]);
+      const int32_t z = std::min(brick[2] * kBrickSide + r / 8, lattice.last[2]);
+      const float* row = &samples_[at({0, lattice.sample(1, y), lattice.sample(2, z)})];
+      unsigned byte = 0;
+      for (int x = 0; x < kBrickSide; ++x) {
+        const int32_t plane = std::min(brick[0] * kBrickSide + x, lattice.last[0]);
+        byte |= static_cast<unsigned>(double{row[lattice.sample(0, plane)]} > isovalue_) << x;
+      }
+      bits.rows[static_cast<std::size_t>(r)] = static_cast<uint8_t>(byte);
+    }
+    signs.put(place, bits);
+  }
+  return signs;
+}
+
+void VolumeField::quantize(Header& header, const Signs<3>& signs) const {
+  const auto active = activeBricks(signs);
+  double largest = 0;
+  bool whole = true;
+  Tube<3> tube;
+  for (std::size_t place = 0; place < active.size(); ++place) {
+    if (active[place] == 0) continue;
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
+      tube.enter(signs, place, members);
+      const auto& brick = tube.at();
+      tube.forEach([&](int, std::size_t r, int x) {
+        const Coordinates<3> v{brick[0] * 8 + x, brick[1] * 8 + static_cast<int32_t>(r % 8), brick[2] * 8 + static_cast<int32_t>(r / 8)};
+        const double sample = samples_[at(v)];
+        largest = std::max(largest, std::abs(sample - isovalue_));
+        whole = whole && sample == std::floor(sample);
+      });
+    }
+  }
+  if (whole && largest < double(1 << 28)) {
+    header.quantum = 1;
+    header.positiveOffset = std::floor(isovalue_) + 1 - isovalue_;
+    header.negativeOffset = isovalue_ - std::floor(isovalue_);
+    return;
+  }
+  // A quantum of 1 marks samples that are whole numbers: keep clear of it.
+  const double quantum = std::ldexp(largest, header.lossless ? -28 : -24);
+  header.quantum = quantum == 1 ? 0.5 : quantum;
+  header.positiveOffset = header.negativeOffset = 0.5;
+}
+
+uint32_t VolumeField::magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {
+  const auto brick = table_.brick(place);
+  const double d = scalar({brick[0] * 8 + x, brick[1] * 8 + static_cast<int32_t>(r % 8), brick[2] * 8 + static_cast<int32_t>(r / 8)});
+  if (header.quantum == 1) return static_cast<uint32_t>(std::lround(d > 0 ? d - header.positiveOffset : -d - header.negativeOffset));
+  return static_cast<uint32_t>(std::min(std::abs(d) / header.quantum, double((1 << 29) - 1)));
+}
+
+int VolumeField::gradient(const Header& header, std::size_t place) const {
+  const auto brick = table_.brick(place);
+  std::array<double, 3 * 512> differences;
+  std::size_t count = 0;
+  Coordinates<3> from, to;
+  for (int a = 0; a < 3; ++a) {
+    from[a] = std::max(brick[a] * 8 - 1, 0);
+    to[a] = std::min(brick[a] * 8 + 8, last_[a]);
+  }
+  for (int32_t z = from[2]; z <= to[2]; ++z) {
+    for (int32_t y = from[1]; y <= to[1]; ++y) {
+      for (int32_t x = from[0]; x <= to[0]; ++x) {
+        const double here = scalar({x, y, z});
+        for (int a = 0; a < 3 && count < differences.size(); ++a) {
+          Coordinates<3> next{x, y, z};
+          if (++next[a] > to[a]) continue;
+          const double there = scalar(next);
+          if ((here > 0) != (there > 0)) differences[count++] = std::abs(here - there);
+        }
+      }
+    }
+  }
+  if (count == 0) return 0;
+  std::nth_element(differences.begin(), differences.begin() + count / 2, differences.begin() + count);
+  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, differences[count / 2] / header.quantum))), 0L, 120L));
+}
+
+}  // namespace isostar

@@ -1,0 +1,222 @@
+// Final geometry (§5.3): scalars at the vertices of the tube, in passes of growing precision.
+#pragma once
+
+#include <bit>
+
+#include "exchange.h"
+#include "octave.h"
+#include "prediction.h"
+#include "tube.h"
+
+namespace isostar {
+
+/// Tells |scalar - isovalue| at the tube's vertices. The first pass tells the octave that a magnitude lies in (below a
+/// floor relative to the brick's gradient: that it lies there); each further pass halves the intervals of those
+/// vertices that still move a vertex of the surface by more than the pass allows. A crossing lies at |a| / (|a| + |b|),
+/// so that such steps are even in distance whatever the gradient.
+template <int D>
+class GeometryCoder {
+ public:
+  GeometryCoder()
+      : shape_(kShapeContexts), guess_(kGuessContexts), beside_(kBesideContexts), refine_(kRefineContexts) {
+    weights_.fill(Mixer<3>::fresh());
+  }
+
+  /// The first pass: a brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least,
+  /// floor being `depth` octaves below the brick's gradient.
+  template <class Exchange>
+  void tellOctaves(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active) {
+    for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
+      if (active[place] == 0) continue;
+      tube_.enter(signs, place, members);
+      if (tube_.empty()) continue;
+      if (!scalars.has(place)) tellGradient(ask, scalars, place);
+      enter(scalars, place);
+      auto& brick = scalars.writable(place);
+      const int floor = std::max(0, gradient_ / 4 - depth);
+      tube_.forEach([&](int row, std::size_t r, int x) {
+        if (ask.spent()) return;
+        const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+        const bool positive = tube_.positive(row, x);
+        const int octave = tellOctave(ask, row, r, x, floor, ask.magnitude(place, r, x));
+        const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor + octave - 1);
+        brick.set(v, positive, low, octave == 0 ? floor : floor + octave - 1);
+        window_.value[window_.index(r, x)] = brick.value[v];
+      });
+    }
+  }
+
+  /// A further pass: halves intervals, at most `most` times each, while they move a crossing by more than `allowed`
+  /// (1/65536 of an edge, by axis).
+  template <class Exchange>
+  void refine(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, const std::array<uint32_t, D>& allowed, int most,
+              const std::vector<uint8_t>& active) {
+    for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
+      if (active[place] == 0 || !scalars.has(place)) continue;
+      tube_.enter(signs, place, members);
+      if (tube_.empty()) continue;
+      enter(scalars, place);
+      auto& brick = scalars.writable(place);
+      tube_.forEach([&](int row, std::size_t r, int x) {
+        const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+        if (!brick.knows(v) || ask.spent()) return;
+        const bool positive = tube_.positive(row, x);
+        for (int told = 0; told < most && brick.width[v] > 0; ++told) {
+          if (!moves(row, x, r, brick.middle(v), brick.width[v], allowed)) break;
+          halve(ask, brick, v, row, r, x, positive, ask.magnitude(place, r, x));
+          window_.value[window_.index(r, x)] = brick.value[v];
+        }
+      });
+    }
+  }
+
+ private:
+  static constexpr int kMostOctaves = 8;  // told apart as contexts
+  static constexpr int kRatios = 32;
+  static constexpr std::size_t kShapeContexts = kMostOctaves * 8 * 64;
+  static constexpr std::size_t kGuessContexts = kMostOctaves * 4 * kRatios;
+  static constexpr std::size_t kBesideContexts = kMostOctaves * 16 * 16;
+  static constexpr std::size_t kRefineContexts = 8 * 4 * kRatios;
+
+  /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one told.
+  template <class Exchange>
+  void tellGradient(Exchange& ask, Scalars<D>& scalars, std::size_t place) {
+    const int truth = ask.gradient(place) - lastGradient_;
+    auto& coder = ask.coder();
+    int difference = 0;
+    if (gradientModel_[0].bit(coder, truth != 0)) {
+      const bool down = gradientModel_[1].bit(coder, truth < 0);
+      int size = 1;
+      while (size < 128 && gradientModel_[static_cast<std::size_t>(std::min(size + 1, 15))].bit(coder, (down ? -truth : truth) > size)) ++size;
+      difference = down ? -size : size;
+    }
+    lastGradient_ = std::clamp(lastGradient_ + difference, 0, kMostGradient);
+    scalars.setGradient(place, lastGradient_);
+  }
+
+  void enter(const Scalars<D>& scalars, std::size_t place) {
+    gradient_ = scalars.gradient(place);
+    steps_ = halfQuanta(gradient_);
+    window_.load(scalars, tube_.table(), tube_.at());
+  }
+
+  /// 8 log2 of a magnitude, roughly; 0 for nothing.
+  static int eighths(uint64_t magnitude) {
+    if (magnitude == 0) return 0;
+    const int top = 63 - std::countl_zero(magnitude);
+    return top * 8 + static_cast<int>((top >= 3 ? magnitude >> (top - 3) : magnitude << (3 - top)) & 7) + 1;
+  }
+
+  template <class Exchange>
+  int tellOctave(Exchange& ask, int row, std::size_t r, int x, int floor, uint32_t truth) {
+    const auto g = Prediction<D>::template of<true>(tube_.window(), window_, row, r, x, steps_);
+    const int guessed = eighths(static_cast<uint64_t>(g.magnitude) / 2);
+    const int expected = std::clamp((guessed - 1) / 8 + 1 - floor, 0, kMostWidth - floor);
+    const int octave = std::max(0, 32 - std::countl_zero(truth) - floor);
+    const auto beside = neighbours(row, r, x);
+    auto above = [&](int k) {
+      const auto at = static_cast<std::size_t>(std::min(k, kMostOctaves - 1));
+      const auto ratio = static_cast<std::size_t>(std::clamp(guessed - 8 * (floor + k) + kRatios / 2, 0, kRatios - 1));
+      const auto c = static_cast<std::size_t>(g.confidence);
+      const std::array<Chance*, 3> contexts{&shape_[(at * 8 + static_cast<std::size_t>(beside.crossings)) * 64 + static_cast<std::size_t>(g.shape)],
+                                            &guess_[(at * 4 + c) * kRatios + ratio],
+                                            &beside_[(at * 16 + static_cast<std::size_t>(beside.other)) * 16 + static_cast<std::size_t>(beside.same)]};
+      return Mixer<3>::template bit<255>(ask.coder(), octave > k, contexts, weights_[at * 4 + c]);
+    };
+    int k = expected;
+    if (k < kMostWidth - floor && above(k)) {
+      do ++k;
+      while (k < kMostWidth - floor && above(k));
+    } else {
+      while (k > 0 && !above(k - 1)) --k;
+    }
+    return k;
+  }
+
+  /// Crossing axis edges at a vertex, and the sizes of the scalars next to it, 0 where unknown.
+  struct Beside {
+    int crossings = 0, other = 0, same = 0;
+  };
+  [[nodiscard]] Beside neighbours(int row, std::size_t r, int x) const {
+    Beside beside;
+    int64_t other = 0, same = 0;
+    int others = 0, sames = 0;
+    const int here = window_.index(r, x);
+    const bool mine = tube_.positive(row, x);
+    for (int a = 0; a < D; ++a) {
+      for (int side = -1; side <= 1; side += 2) {
+        const bool theirs = a == 0 ? tube_.positive(row, x + side) : tube_.positive(row + side * Window<D>::rowStride(a), x);
+        beside.crossings += theirs != mine;
+        const int32_t known = window_.value[here + side * ScalarWindow<D>::stride(a)];
+        if (known == Scalars<D>::kUnknown) continue;
+        const int64_t size = known < 0 ? -int64_t{known} : known;
+        if (theirs != mine) {
+          other += size;
+          ++others;
+        } else {
+          same += size;
+          ++sames;
+        }
+      }
+    }
+    beside.crossings = std::min(beside.crossings, 7);
+    if (others != 0) beside.other = relative(other, others);
+    if (sames != 0) beside.same = relative(same, sames);
+    return beside;
+  }
+  /// A mean size relative to the gradient, in half octaves, 1 … 15.
+  [[nodiscard]] int relative(int64_t sum, int count) const {
+    const int size = eighths(static_cast<uint64_t>(sum / count / 2)) / 4 - gradient_ / 2;
+    return std::clamp(size + 11, 1, 15);
+  }
+
+  /// May the interval move a crossing on an edge of the vertex by more than allowed?
+  [[nodiscard]] bool moves(int row, int x, std::size_t r, uint32_t middle, int width, const std::array<uint32_t, D>& allowed) const {
+    const int here = window_.index(r, x);
+    const bool mine = tube_.positive(row, x);
+    for (int a = 0; a < D; ++a) {
+      for (int side = -1; side <= 1; side += 2) {
+        const bool theirs = a == 0 ? tube_.positive(row, x + side) : tube_.positive(row + side * Window<D>::rowStride(a), x);
+        if (theirs == mine) continue;
+        const int32_t known = window_.value[here + side * ScalarWindow<D>::stride(a)];
+        if (known == Scalars<D>::kUnknown) continue;
+        uint64_t other = static_cast<uint64_t>(known < 0 ? -int64_t{known} : known);
+        uint64_t total = other + middle, size = uint64_t{2} << width;
+        const int excess = std::max(0, 64 - std::countl_zero(total) - 20);
+        other >>= excess;
+        total >>= excess;
+        size >>= excess;
+        if ((size * other) << 16 > allowed[a] * total * total) return true;
+      }
+    }
+    return false;
+  }
+
+  template <class Exchange>
+  void halve(Exchange& ask, typename Scalars<D>::Brick& brick, std::size_t v, int row, std::size_t r, int x, bool positive, uint32_t truth) {
+    const auto g = Prediction<D>::template of<false>(tube_.window(), window_, row, r, x, steps_);
+    const int width = brick.width[v] - 1;
+    const uint32_t low = brick.low(v), middle = low + (uint32_t{1} << width);
+    // Where the guess lies in the interval, in sixteenths; it may lie outside.
+    const int64_t offset = ((g.magnitude - 2 * int64_t{middle}) * (kRatios / 8)) >> width;
+    const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
+    const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - width, 0, 7));
+    Chance& chance = refine_[(fineness * 4 + static_cast<std::size_t>(g.confidence)) * kRatios + ratio];
+    const bool upper = chance.bit(ask.coder(), truth >= middle);
+    brick.set(v, positive, upper ? middle : low, width);
+  }
+
+  static constexpr int kMostWidth = 29;
+  static constexpr int kMostGradient = 4 * 31;
+
+  Tube<D> tube_;
+  ScalarWindow<D> window_;
+  int gradient_ = 0;
+  int64_t steps_ = 1;
+  int lastGradient_ = 0;
+  std::array<Chance, 16> gradientModel_;
+  std::vector<Chance> shape_, guess_, beside_, refine_;
+  std::array<Mixer<3>::Weights, kMostOctaves * 4> weights_;
+};
+
+}  // namespace isostar

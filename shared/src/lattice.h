@@ -1,0 +1,48 @@
+// The vertices of one octave of the RBMT (§4.2), clipped to the source's box.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace isostar {
+
+template <int D>
+using Coordinates = std::array<int32_t, D>;
+
+/// Octave o of a box with samples 0 … last on each axis: planes at multiples of `step`, and one at the box's end.
+/// Three bisections (in 3D; D in general) lead from an octave to the next, of half the step. A cell at the end of the
+/// box that is too short to be halved stays whole, so that no vertex lies outside the box and none exists twice.
+template <int D>
+struct Lattice {
+  Coordinates<D> box{};   // last sample on each axis
+  Coordinates<D> last{};  // last plane on each axis
+  int32_t step = 1;       // samples between planes
+
+  Lattice() = default;
+  Lattice(const Coordinates<D>& lastSample, int32_t spacing) : box(lastSample), step(spacing) {
+    for (int a = 0; a < D; ++a) last[a] = (box[a] + step - 1) / step;
+  }
+
+  [[nodiscard]] Lattice finer() const { return Lattice(box, step / 2); }
+  [[nodiscard]] int32_t sample(int axis, int32_t plane) const { return std::min(plane * step, box[axis]); }
+  /// Does the plane first appear on this octave?
+  [[nodiscard]] bool fresh(int axis, int32_t plane) const { return (plane & 1) != 0 && plane != last[axis]; }
+  /// The coarser octave's plane that coincides with this one or, for a fresh one, precedes it.
+  [[nodiscard]] int32_t parent(int axis, int32_t plane) const {
+    return plane == last[axis] ? (plane + 1) / 2 : plane / 2;
+  }
+  /// Mirrors a plane next to the box into it: two-sided neighbourhoods need no edge cases.
+  [[nodiscard]] int32_t mirrored(int axis, int32_t plane) const {
+    if (plane < 0) plane = -plane;
+    if (plane > last[axis]) plane = 2 * last[axis] - plane;
+    return std::clamp(plane, 0, last[axis]);
+  }
+  [[nodiscard]] uint64_t vertices() const {
+    uint64_t n = 1;
+    for (int a = 0; a < D; ++a) n *= static_cast<uint64_t>(last[a]) + 1;
+    return n;
+  }
+};
+
+}  // namespace isostar

@@ -1,0 +1,139 @@
+// From one octave's signs to the next (§5.2): what the coarser one tells of the finer, and where it may still change.
+#pragma once
+
+#include "bricks.h"
+
+namespace isostar {
+
+/// An odd last plane is the coarser octave's last plane, not its last but one as refined() has it at first.
+template <int D>
+void copyEndPlane(const Signs<D>& coarse, Signs<D>& fine, int axis) {
+  const auto& lattice = fine.lattice();
+  Coordinates<D> v{};
+  v[axis] = lattice.last[axis];
+  for (;;) {
+    Coordinates<D> parent;
+    for (int a = 0; a < D; ++a) parent[a] = lattice.parent(a, v[a]);
+    fine.set(v, coarse.at(parent));
+    int a = 0;
+    for (; a < D; ++a) {
+      if (a == axis) continue;
+      if (++v[a] <= lattice.last[a]) break;
+      v[a] = 0;
+    }
+    if (a == D) return;
+  }
+}
+
+/// The signs of the next octave as far as the coarser one tells: a fresh vertex has its lower neighbour's sign for now.
+template <int D>
+Signs<D> refined(const Signs<D>& coarse) {
+  // Each bit of a nibble twice.
+  static constexpr std::array<uint8_t, 16> kTwice{0x00, 0x03, 0x0C, 0x0F, 0x30, 0x33, 0x3C, 0x3F,
+                                                  0xC0, 0xC3, 0xCC, 0xCF, 0xF0, 0xF3, 0xFC, 0xFF};
+  Signs<D> fine(coarse.lattice().finer());
+  const auto& table = fine.table();
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    const auto at = table.brick(place);
+    Coordinates<D> half;
+    for (int a = 0; a < D; ++a) half[a] = at[a] / 2;
+    const uint32_t index = coarse.index(coarse.table().place(half));
+    if (index <= Signs<D>::kPositive) {
+      fine.setUniform(place, index);
+      continue;
+    }
+    const auto& parent = coarse.brick(index).rows;
+    Brick<D> brick;
+    Coordinates<D> v{};
+    for (auto& row : brick.rows) {
+      std::size_t parentRow = 0;
+      for (int a = D - 1; a >= 1; --a) parentRow = parentRow * kBrickSide + static_cast<std::size_t>((at[a] & 1) * 4 + v[a] / 2);
+      row = kTwice[parent[parentRow] >> ((at[0] & 1) * 4) & 15];
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+    fine.put(place, brick);
+  }
+  for (int a = 0; a < D; ++a) {
+    if ((fine.lattice().last[a] & 1) != 0) copyEndPlane(coarse, fine, a);
+  }
+  return fine;
+}
+
+/// Has the part of a mixed brick that faces the direction -d a vertex that is not of the sign given?
+template <int D>
+bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t uniform) {
+  const unsigned mask = d[0] == 0 ? 0xFFu : d[0] > 0 ? 0x01u : 0x80u;
+  const unsigned flip = uniform == Signs<D>::kPositive ? 0xFFu : 0u;
+  Coordinates<D> from{}, to{};
+  for (int a = 1; a < D; ++a) {
+    from[a] = d[a] < 0 ? kBrickSide - 1 : 0;
+    to[a] = d[a] > 0 ? 0 : kBrickSide - 1;
+  }
+  for (auto v = from;;) {
+    std::size_t r = 0;
+    for (int a = D - 1; a >= 1; --a) r = r * kBrickSide + static_cast<std::size_t>(v[a]);
+    if (((brick.rows[r] ^ flip) & mask) != 0) return true;
+    int a = 1;
+    for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
+    if (a == D) return false;
+  }
+}
+
+/// Does a uniform brick touch a vertex of the other sign?
+template <int D>
+bool touchesOther(const Signs<D>& signs, std::size_t place, const Coordinates<D>& at) {
+  const auto& table = signs.table();
+  const uint32_t uniform = signs.index(place);
+  Coordinates<D> d;
+  d.fill(-1);
+  for (;;) {
+    bool inside = true;
+    std::size_t other = 0;
+    for (int a = 0; a < D; ++a) {
+      const int32_t v = at[a] + d[a];
+      inside = inside && v >= 0 && v < table.count(a);
+      other += static_cast<std::size_t>(v) * table.stride(a);
+    }
+    if (inside) {
+      const uint32_t index = signs.index(other);
+      if (index <= Signs<D>::kPositive ? index != uniform : facingVaries<D>(signs.brick(index), d, uniform)) return true;
+    }
+    int a = 0;
+    for (; a < D && ++d[a] == 2; ++a) d[a] = -1;
+    if (a == D) return false;
+  }
+}
+
+/// Marks the bricks that hold both signs or touch a vertex of the other sign; 1 marked, 0 quiet, by place.
+template <int D>
+std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
+  const auto& table = signs.table();
+  std::vector<uint8_t> active(table.total(), 0);
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    const auto at = table.brick(place);
+    bool mixed = signs.index(place) > Signs<D>::kPositive;
+    if (mixed) active[place] = 1;
+    for (int a = 0; a < D && !mixed; ++a) {
+      mixed = at[a] + 1 < table.count(a) && signs.index(place + table.stride(a)) != signs.index(place);
+    }
+    if (!mixed) continue;
+    Coordinates<D> from, to;
+    for (int a = 0; a < D; ++a) {
+      from[a] = std::max(at[a] - 1, 0);
+      to[a] = std::min(at[a] + 2, table.count(a) - 1);  // the brick that differs is one further
+    }
+    for (auto v = from;;) {
+      uint8_t& mark = active[table.place(v)];
+      if (mark == 0) mark = 2;
+      int a = 0;
+      for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
+      if (a == D) break;
+    }
+  }
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    if (active[place] == 2) active[place] = touchesOther<D>(signs, place, table.brick(place)) ? 1 : 0;
+  }
+  return active;
+}
+
+}  // namespace isostar

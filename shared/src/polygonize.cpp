@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <cmath>
+
+#include "field.h"
+#include "isostar/isostar.h"
+#include "octave.h"
+#include "polygonizer.h"
+#include "tube.h"
+
+namespace isostar {
+
+Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
+  uint64_t samples = 1;
+  for (int32_t n : volume.size) {
+    if (n < 1) return Error::BadArgument;
+    samples *= static_cast<uint64_t>(n);
+    if (samples > volume.samples.size()) return Error::BadArgument;
+  }
+  if (!std::isfinite(isovalue) || !std::ranges::all_of(volume.samples, [](float s) { return std::isfinite(s); })) return Error::BadArgument;
+  const VolumeField field(volume, isovalue);
+  const auto signs = field.signs(1);
+  Header header;
+  header.isovalue = isovalue;
+  header.lossless = true;
+  field.quantize(header, signs);
+  const auto active = activeBricks(signs);
+  Scalars<3> scalars(active.size());
+  Tube<3> tube;
+  for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
+    if (members == Members::DiagonalEnds && options.polygonizer == Polygonizer::Cubes) break;
+    for (std::size_t place = 0; place < active.size(); ++place) {
+      if (active[place] == 0) continue;
+      tube.enter(signs, place, members);
+      if (tube.empty()) continue;
+      auto& brick = scalars.writable(place);
+      tube.forEach([&](int row, std::size_t r, int x) {
+        brick.set(r * kBrickSide + static_cast<std::size_t>(x), tube.positive(row, x), field.magnitude(header, place, r, x), 0);
+      });
+    }
+  }
+  return polygonize({signs, scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, volume.placement}, options, UINT32_MAX, out);
+}
+
+}  // namespace isostar

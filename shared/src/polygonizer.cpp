@@ -1,0 +1,269 @@
+#include "polygonizer.h"
+
+#include <bit>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "cell_table.h"
+#include "octave.h"
+#include "scalar_window.h"
+#include "window.h"
+
+namespace isostar {
+namespace {
+
+constexpr int kRows = 64;  // of a brick
+
+/// Where the crossed edges of a brick are in the list of vertices: by set of axes, then by row.
+struct EdgeIndex {
+  std::array<std::array<uint32_t, kRows>, 7> first;
+  std::array<std::array<uint8_t, kRows>, 7> crossed;
+
+  [[nodiscard]] uint32_t vertex(unsigned axes, unsigned row, unsigned x) const {
+    return first[axes - 1][row] + static_cast<uint32_t>(std::popcount(crossed[axes - 1][row] & ((1u << x) - 1u)));
+  }
+};
+
+/// World positions of the lattice's vertices; directions of normals.
+class Frames {
+ public:
+  Frames(const Lattice<3>& lattice, const Placement& p, Frame frame) : lattice_(lattice), world_(frame == Frame::World) {
+    for (int a = 0; a < 3; ++a) {
+      origin_[a] = p.origin[a];
+      for (int b = 0; b < 3; ++b) matrix_[b][a] = p.direction[static_cast<std::size_t>(a * 3 + b)] * p.spacing[static_cast<std::size_t>(b)];
+    }
+    if (world_) gradient_ = glm::transpose(glm::inverse(matrix_));
+  }
+  [[nodiscard]] glm::dvec3 sample(const Coordinates<3>& v) const {
+    return {lattice_.sample(0, v[0]), lattice_.sample(1, v[1]), lattice_.sample(2, v[2])};
+  }
+  [[nodiscard]] glm::dvec3 place(const glm::dvec3& sample) const { return world_ ? origin_ + matrix_ * sample : sample; }
+  [[nodiscard]] glm::dvec3 normal(const glm::dvec3& gradient) const { return world_ ? gradient_ * gradient : gradient; }
+  [[nodiscard]] bool mirrors() const { return world_ && glm::determinant(matrix_) < 0; }
+
+ private:
+  Lattice<3> lattice_;
+  bool world_;
+  glm::dvec3 origin_{};
+  glm::dmat3 matrix_{1.0}, gradient_{1.0};
+};
+
+class Polygonization {
+ public:
+  Polygonization(const Surface& surface, const MeshOptions& options, Mesh& out)
+      : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
+        out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {}
+
+  Error run(uint64_t mostVertices) {
+    uint32_t bricks = 0;
+    for (std::size_t place = 0; place < active_.size(); ++place) {
+      if (active_[place] != 0) slot_[place] = bricks++;
+    }
+    index_.resize(bricks);
+    for (std::size_t place = 0; place < active_.size(); ++place) {
+      if (active_[place] == 0) continue;
+      countEdges(place);
+      if (vertices_ > mostVertices) return Error::OverLimit;
+    }
+    out_.positions.resize(vertices_ * 3);
+    if (options_.normals) out_.normals.resize(vertices_ * 3);
+    out_.triangles.reserve(vertices_ * 6 + 64);
+    for (std::size_t place = 0; place < active_.size(); ++place) {
+      if (active_[place] != 0) placeVertices(place);
+    }
+    for (std::size_t place = 0; place < active_.size(); ++place) {
+      if (active_[place] != 0) cutCells(place);
+    }
+    return Error::None;
+  }
+
+ private:
+  static constexpr uint32_t kNone = UINT32_MAX;
+  using Bits = uint32_t;
+
+  [[nodiscard]] unsigned lastAxes() const { return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u; }
+  [[nodiscard]] bool uses(unsigned axes) const { return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes); }
+
+  /// The planes of a brick on axis 0 that lie inside the lattice, and those with a next plane.
+  [[nodiscard]] Bits planes(int32_t brick, int32_t last) const {
+    const int32_t count = std::clamp(last - brick * kBrickSide + 1, 0, kBrickSide);
+    return (1u << count) - 1;
+  }
+
+  /// Which edges along `axes` from the vertices of a row are crossed. A diagonal joins the vertex of its face that is even
+  /// on these axes with the odd one.
+  [[nodiscard]] Bits crossed(int row, unsigned r, unsigned axes) const {
+    int evenRow = row, oddRow = row;
+    for (unsigned a = 1; a < 3; ++a) {
+      if ((axes >> a & 1) == 0) continue;
+      const bool odd = (r >> (a == 1 ? 0 : 3) & 1) != 0;
+      (odd ? evenRow : oddRow) += Window<3>::rowStride(static_cast<int>(a));
+    }
+    const Bits even = static_cast<Bits>(window_.rows[evenRow]) >> Window<3>::kHalo, odd = static_cast<Bits>(window_.rows[oddRow]) >> Window<3>::kHalo;
+    if ((axes & 1) == 0) return even ^ odd;
+    return ((even ^ odd >> 1) & 0x55) | ((even >> 1 ^ odd) & 0xAA);
+  }
+
+  void countEdges(std::size_t place) {
+    const auto brick = signs_.table().brick(place);
+    window_.load(signs_, brick);
+    EdgeIndex& index = index_[slot_[place]];
+    for (unsigned axes = 1; axes <= 7; ++axes) {
+      if (!uses(axes)) continue;
+      const Bits inX = planes(brick[0], lattice_.last[0] - static_cast<int32_t>(axes & 1));
+      for (unsigned r = 0; r < kRows; ++r) {
+        const int32_t y = static_cast<int32_t>(r & 7), z = static_cast<int32_t>(r >> 3);
+        const bool inside = brick[1] * kBrickSide + y + static_cast<int32_t>(axes >> 1 & 1) <= lattice_.last[1] &&
+                            brick[2] * kBrickSide + z + static_cast<int32_t>(axes >> 2 & 1) <= lattice_.last[2];
+        const Bits bits = inside ? crossed(Window<3>::row({0, y, z}), r, axes) & inX : 0;
+        index.crossed[axes - 1][r] = static_cast<uint8_t>(bits);
+        index.first[axes - 1][r] = static_cast<uint32_t>(vertices_);
+        vertices_ += static_cast<uint64_t>(std::popcount(bits));
+      }
+    }
+  }
+
+  /// |scalar - isovalue| in half quanta at a vertex of the window.
+  [[nodiscard]] double size(int at) const {
+    const int32_t value = scalars_.value[at];
+    return value >= 0 ? value + surface_.positiveOffset : -double(value) + surface_.negativeOffset;
+  }
+  [[nodiscard]] double scalar(int at) const { return scalars_.value[at] >= 0 ? size(at) : -size(at); }
+  [[nodiscard]] bool known(int at) const { return scalars_.value[at] != Scalars<3>::kUnknown; }
+
+  void placeVertices(std::size_t place) {
+    const EdgeIndex& index = index_[slot_[place]];
+    const auto brick = signs_.table().brick(place);
+    scalars_.load(surface_.scalars, signs_.table(), brick);
+    for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
+      if (!uses(axes)) continue;
+      for (unsigned r = 0; r < kRows; ++r) {
+        uint32_t id = index.first[axes - 1][r];
+        for (Bits open = index.crossed[axes - 1][r]; open != 0; open &= open - 1) {
+          placeVertex(brick, axes, r, static_cast<unsigned>(std::countr_zero(open)), id++);
+        }
+      }
+    }
+  }
+
+  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned r, unsigned x, uint32_t id) {
+    const std::array<unsigned, 3> local{x, r & 7, r >> 3};
+    Coordinates<3> even, odd;
+    int evenAt = ScalarWindow<3>::index(r, static_cast<int>(x)), oddAt = evenAt;
+    for (int a = 0; a < 3; ++a) {
+      even[a] = odd[a] = brick[a] * kBrickSide + static_cast<int32_t>(local[static_cast<std::size_t>(a)]);
+      if ((axes >> a & 1) == 0) continue;
+      const bool isOdd = (local[static_cast<std::size_t>(a)] & 1) != 0 && !std::has_single_bit(axes);
+      (isOdd ? even : odd)[a] += 1;
+      (isOdd ? evenAt : oddAt) += ScalarWindow<3>::stride(a);
+    }
+    const double from = size(evenAt), to = size(oddAt);
+    const double t = from + to > 0 ? from / (from + to) : 0.5;
+    const glm::dvec3 start = frames_.sample(even), end = frames_.sample(odd);
+    write(out_.positions, id, frames_.place(start + t * (end - start)));
+    if (!options_.normals) return;
+    glm::dvec3 gradient;
+    for (int a = 0; a < 3; ++a) {
+      gradient[a] = (axes >> a & 1) != 0 && std::has_single_bit(axes) ? scalar(oddAt) - scalar(evenAt) : across(evenAt, oddAt, t, a);
+    }
+    const glm::dvec3 normal = frames_.normal(gradient);
+    const double length = glm::length(normal);
+    write(out_.normals, id, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
+  }
+
+  /// The field's difference along an axis across an edge, from the neighbours of its ends whose scalars are known.
+  [[nodiscard]] double across(int evenAt, int oddAt, double t, int axis) const {
+    const int step = ScalarWindow<3>::stride(axis);
+    double sum = 0, weight = 0;
+    for (const auto& [at, share] : {std::pair{evenAt, 1 - t}, std::pair{oddAt, t}}) {
+      for (const int side : {-1, 1}) {
+        if (!known(at + side * step)) continue;
+        sum += (share + 0.01) * side * (scalar(at + side * step) - scalar(at));
+        weight += share + 0.01;
+      }
+    }
+    return weight > 0 ? sum / weight : 0;
+  }
+
+  static void write(std::vector<float>& values, uint32_t id, const glm::dvec3& v) {
+    float* at = &values[std::size_t{id} * 3];
+    at[0] = static_cast<float>(v.x);
+    at[1] = static_cast<float>(v.y);
+    at[2] = static_cast<float>(v.z);
+  }
+
+  void cutCells(std::size_t place) {
+    const auto brick = signs_.table().brick(place);
+    window_.load(signs_, brick);
+    std::array<const EdgeIndex*, 8> near{};
+    for (unsigned c = 0; c < 8; ++c) {
+      std::size_t other = place;
+      bool inside = true;
+      for (int a = 0; a < 3; ++a) {
+        if ((c >> a & 1) == 0) continue;
+        inside = inside && brick[a] + 1 < signs_.table().count(a);
+        other += signs_.table().stride(a);
+      }
+      if (inside && slot_[other] != kNone) near[c] = &index_[slot_[other]];
+    }
+    const Bits inX = planes(brick[0], lattice_.last[0] - 1);
+    for (unsigned r = 0; r < kRows; ++r) {
+      const int32_t y = static_cast<int32_t>(r & 7), z = static_cast<int32_t>(r >> 3);
+      if (brick[1] * kBrickSide + y >= lattice_.last[1] || brick[2] * kBrickSide + z >= lattice_.last[2]) continue;
+      const int row = Window<3>::row({0, y, z});
+      const Bits a = window_.rows[row], b = window_.rows[row + Window<3>::rowStride(1)];
+      const Bits c = window_.rows[row + Window<3>::rowStride(2)], d = window_.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
+      const Bits some = a | b | c | d, all = a & b & c & d;
+      Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inX;
+      for (; open != 0; open &= open - 1) {
+        const auto x = static_cast<unsigned>(std::countr_zero(open));
+        const unsigned at = x + Window<3>::kHalo;
+        const unsigned signs = (a >> at & 3) | (b >> at & 3) << 2 | (c >> at & 3) << 4 | (d >> at & 3) << 6;
+        cutCell(near, signs, x, r);
+      }
+    }
+  }
+
+  void cutCell(const std::array<const EdgeIndex*, 8>& near, unsigned signs, unsigned x, unsigned r) {
+    const CellCase& shape = cellTable(options_.polygonizer, (x & 1) | (r & 1) << 1 | (r >> 3 & 1) << 2)[signs];
+    std::array<uint32_t, 19> ids;
+    for (std::size_t e = 0; e < shape.edges.size(); ++e) {
+      const CellEdge edge = shape.edges[e];
+      const unsigned ex = x + (edge.corner & 1), ey = (r & 7) + (edge.corner >> 1 & 1), ez = (r >> 3) + (edge.corner >> 2 & 1);
+      const EdgeIndex* index = near[ex >> 3 | (ey >> 3) << 1 | (ez >> 3) << 2];
+      ids[e] = index->vertex(edge.axes, (ey & 7) | (ez & 7) << 3, ex & 7);
+    }
+    const bool mirrors = mirrors_;
+    for (const auto& t : shape.triangles) {
+      out_.triangles.push_back(ids[t[0]]);
+      out_.triangles.push_back(ids[mirrors ? t[2] : t[1]]);
+      out_.triangles.push_back(ids[mirrors ? t[1] : t[2]]);
+    }
+  }
+
+  const Surface& surface_;
+  const Signs<3>& signs_;
+  Lattice<3> lattice_;
+  MeshOptions options_;
+  Frames frames_;
+  bool mirrors_ = frames_.mirrors();
+  Mesh& out_;
+  std::vector<uint8_t> active_;
+  std::vector<uint32_t> slot_;
+  std::vector<EdgeIndex> index_;
+  uint64_t vertices_ = 0;
+  Window<3> window_;
+  ScalarWindow<3> scalars_;
+};
+
+}  // namespace
+
+Error polygonize(const Surface& surface, const MeshOptions& options, uint64_t mostVertices, Mesh& out) {
+  out = {};
+  return Polygonization(surface, options, out).run(mostVertices);
+}
+
+}  // namespace isostar

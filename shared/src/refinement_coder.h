@@ -1,0 +1,236 @@
+// Uniform refinement (§5.2): D bisections lead from one octave to the next; at each the signs of the new vertices are told.
+#pragma once
+
+#include "exchange.h"
+#include "neighbourhood.h"
+#include "octave.h"
+
+namespace isostar {
+
+/// Tells an octave's fresh vertices, by the number of axes on which they are fresh: D (centres of cells), … 1 (midpoints
+/// of their edges). A vertex whose diamond has both signs is told by a decision in context. One whose diamond is
+/// uniform has its sign deduced, unless a component of the surface first appears there: these exceptions are localized
+/// by brick, row and vertex, so that the octave's signs are the source's, every component and no more.
+template <int D>
+class RefinementCoder {
+ public:
+  RefinementCoder()
+      : near_(kSets << kNearBits), counts_(kSets << kCountBits), wide_(kSets << kWideBits) {
+    weights_.fill(Mixer<kInputs>::fresh());
+  }
+
+  /// One bisection of the whole octave: tells the vertices fresh on `dimension` axes.
+  template <class Exchange>
+  void bisect(Exchange& ask, Signs<D>& signs, int dimension) {
+    const auto active = activeBricks(signs);
+    for (std::size_t first = 0; first < active.size() && !ask.spent(signs.memory()); first += kGroup) {
+      quietGroup(ask, signs, dimension, active, first, std::min(first + kGroup, active.size()));
+    }
+    for (std::size_t place = 0; place < active.size() && !ask.spent(signs.memory()); ++place) {
+      if (active[place] != 0) brick(ask, signs, place, dimension);
+    }
+  }
+
+ private:
+  static constexpr int kInputs = 3;
+  static constexpr int kNearBits = 14, kCountBits = 14, kWideBits = 14;
+  static constexpr unsigned kSets = 1u << D;
+  static constexpr std::size_t kGroup = 64;  // quiet bricks in a row that share a flag
+  static constexpr std::size_t kBrickRows = power(kBrickSide, D - 1);
+  using Bits = uint32_t;
+
+  static constexpr std::array<Neighbourhood<D>, kSets> kNeighbourhoods = [] {
+    std::array<Neighbourhood<D>, kSets> all{};
+    for (unsigned o = 1; o < kSets; ++o) all[o] = Neighbourhood<D>(o);
+    return all;
+  }();
+
+  /// A row of a brick with vertices of the class.
+  struct Row {
+    int16_t window;   // in the Window
+    uint16_t brick;   // in the Brick
+    uint8_t fresh;    // the axes on which its vertices are fresh
+    uint8_t members;  // its vertices of the class
+    uint8_t open;     // those whose diamond has both signs
+  };
+
+  /// Components that first appear far from the surface.
+  template <class Exchange>
+  void quietGroup(Exchange& ask, Signs<D>& signs, int dimension, const std::vector<uint8_t>& active, std::size_t first, std::size_t end) {
+    bool any = false, quiet = false;
+    for (std::size_t place = first; place < end; ++place) {
+      if (active[place] != 0) continue;
+      quiet = true;
+      any = any || differs(ask, signs, place, dimension);
+    }
+    if (!quiet || !groupFlag_[dimension].bit(ask.coder(), any)) return;
+    for (std::size_t place = first; place < end && !ask.spent(signs.memory()); ++place) {
+      if (active[place] != 0 || !quietFlag_[dimension].bit(ask.coder(), differs(ask, signs, place, dimension))) continue;
+      enter(signs, place, dimension);
+      tellExceptions(ask, place, 0);
+      store(signs, place);
+    }
+  }
+
+  template <class Exchange>
+  bool differs(Exchange& ask, const Signs<D>& signs, std::size_t place, int dimension) {
+    if (!ask.varies(place, signs.index(place))) return false;
+    findRows(signs.lattice(), signs.table().brick(place), dimension);
+    const Bits uniform = signs.index(place) == Signs<D>::kPositive ? 0xFF : 0;
+    Bits difference = 0;
+    for (int i = 0; i < rowCount_; ++i) difference |= (ask.row(place, rows_[i].brick) ^ uniform) & rows_[i].members;
+    return difference != 0;
+  }
+
+  template <class Exchange>
+  void brick(Exchange& ask, Signs<D>& signs, std::size_t place, int dimension) {
+    enter(signs, place, dimension);
+    int told = 0;
+    for (int i = 0; i < rowCount_; ++i) told += tellRow(ask, place, rows_[i]);
+    if (brickFlag_[dimension][activity(told)].bit(ask.coder(), hasExceptions(ask, place))) tellExceptions(ask, place, activity(told));
+    if (changed_) store(signs, place);
+  }
+
+  void enter(const Signs<D>& signs, std::size_t place, int dimension) {
+    const auto at = signs.table().brick(place);
+    changed_ = false;
+    window_.load(signs, at);
+    findRows(signs.lattice(), at, dimension);
+    for (int i = 0; i < rowCount_; ++i) rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members);
+  }
+
+  void findRows(const Lattice<D>& lattice, const Coordinates<D>& at, int dimension) {
+    Bits fresh = 0, inside = 0;
+    for (int x = 0; x < kBrickSide && at[0] * kBrickSide + x <= lattice.last[0]; ++x) {
+      inside |= 1u << x;
+      if (lattice.fresh(0, at[0] * kBrickSide + x)) fresh |= 1u << x;
+    }
+    rowCount_ = 0;
+    Coordinates<D> v{};
+    for (std::size_t r = 0; r < kBrickRows; ++r) {
+      unsigned o = 0;
+      bool in = true;
+      for (int a = 1; a < D; ++a) {
+        const int32_t plane = at[a] * kBrickSide + v[a];
+        in = in && plane <= lattice.last[a];
+        if (lattice.fresh(a, plane)) o |= 1u << a;
+      }
+      const int left = dimension - __builtin_popcount(o);
+      const Bits members = left == 1 ? fresh : left == 0 ? inside & ~fresh : 0;
+      if (in && members != 0) {
+        rows_[rowCount_++] = {static_cast<int16_t>(Window<D>::row(v)), static_cast<uint16_t>(r),
+                              static_cast<uint8_t>(o | static_cast<unsigned>(left)), static_cast<uint8_t>(members), 0};
+      }
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+  }
+
+  /// Which vertices of a row have a diamond of both signs: all at once.
+  [[nodiscard]] Bits crossing(const Row& row) const {
+    const auto& n = kNeighbourhoods[row.fresh];
+    Bits some = 0, all = ~0u;
+    for (int i = 0; i < n.diamondCount(); ++i) {
+      const Bits bits = static_cast<Bits>(window_.rows[row.window + n.diamond[i].rows]) >> (Window<D>::kHalo + n.diamond[i].bits);
+      some |= bits;
+      all &= bits;
+    }
+    return some & ~all;
+  }
+
+  template <class Exchange>
+  int tellRow(Exchange& ask, std::size_t place, const Row& row) {
+    int told = 0;
+    const Bits truth = ask.row(place, row.brick);
+    for (Bits open = row.open; open != 0; open &= open - 1, ++told) {
+      const int x = __builtin_ctz(open);
+      put(row, x, tell(ask, row, x, (truth >> x & 1) != 0));
+    }
+    return told;
+  }
+
+  void put(const Row& row, int x, bool positive) {
+    const auto bit = static_cast<uint16_t>(1u << (x + Window<D>::kHalo));
+    if (((window_.rows[row.window] & bit) != 0) == positive) return;
+    window_.rows[row.window] ^= bit;
+    changed_ = true;
+  }
+
+  template <class Exchange>
+  bool tell(Exchange& ask, const Row& row, int x, bool truth) {
+    const auto& n = kNeighbourhoods[row.fresh];
+    const uint16_t* here = &window_.rows[row.window];
+    const int at = x + Window<D>::kHalo;
+    auto gather = [&](const Step* steps, int count) {
+      unsigned bits = 0;
+      for (int i = 0; i < count; ++i) bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
+      return bits;
+    };
+    const unsigned diamond = gather(n.diamond.data(), n.diamondCount());
+    const unsigned siblings = gather(n.siblings.data(), std::min(n.siblingCount, 13));
+    const unsigned far = gather(n.far.data(), std::min(n.farCount, 24));
+    const int nearSiblings = n.siblingCount > 13 ? 13 : n.siblingCount;
+    const unsigned corners = static_cast<unsigned>(__builtin_popcount(diamond >> n.acrossCount));
+    const unsigned across = static_cast<unsigned>(__builtin_popcount(diamond & ((1u << n.acrossCount) - 1)));
+    const unsigned first7 = siblings >> (nearSiblings - 7), first4 = first7 >> 3;
+    const auto set = static_cast<unsigned>(row.fresh);
+    const std::array<Chance*, kInputs> contexts{
+        &near_[set << kNearBits | ((diamond << 4 | first4) & ((1u << kNearBits) - 1))],
+        &counts_[set << kCountBits | (((corners * 16 + across) << 7 | first7) & ((1u << kCountBits) - 1))],
+        &wide_[set << kWideBits | (((corners * 9 + across) << 7 | static_cast<unsigned>(__builtin_popcount(siblings) / 2) << 4 |
+                                    static_cast<unsigned>(__builtin_popcount(far) / 2)) &
+                                   ((1u << kWideBits) - 1))]};
+    return Mixer<kInputs>::template bit<255>(ask.coder(), truth, contexts, weights_[set]);
+  }
+
+  /// How busy a brick is, as a context for its exceptions.
+  static int activity(int told) { return told == 0 ? 0 : told < 6 ? 1 : told < 16 ? 2 : told < 48 ? 3 : 4; }
+
+  /// The members of a row whose sign was deduced and is false.
+  template <class Exchange>
+  Bits exceptions(Exchange& ask, std::size_t place, const Row& row) const {
+    return (ask.row(place, row.brick) ^ window_.rows[row.window] >> Window<D>::kHalo) & row.members & ~Bits{row.open};
+  }
+
+  template <class Exchange>
+  bool hasExceptions(Exchange& ask, std::size_t place) const {
+    Bits any = 0;
+    for (int i = 0; i < rowCount_; ++i) any |= exceptions(ask, place, rows_[i]);
+    return any != 0;
+  }
+
+  template <class Exchange>
+  void tellExceptions(Exchange& ask, std::size_t place, int activity) {
+    for (int i = 0; i < rowCount_; ++i) {
+      const Row& row = rows_[i];
+      Bits deduced = row.members & ~Bits{row.open};
+      const Bits flips = exceptions(ask, place, row);
+      if (deduced == 0 || !rowFlag_[activity].bit(ask.coder(), flips != 0)) continue;
+      const Bits signs = static_cast<Bits>(window_.rows[row.window]) >> Window<D>::kHalo;
+      for (; deduced != 0; deduced &= deduced - 1) {
+        const int x = __builtin_ctz(deduced);
+        if (vertexFlag_.bit(ask.coder(), (flips >> x & 1) != 0)) put(row, x, (signs >> x & 1) == 0);
+      }
+    }
+  }
+
+  void store(Signs<D>& signs, std::size_t place) {
+    Coordinates<D> v{};
+    for (auto& row : signs.writable(place).rows) {
+      row = static_cast<uint8_t>(window_.rows[Window<D>::row(v)] >> Window<D>::kHalo);
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+  }
+
+  Window<D> window_;
+  std::array<Row, kBrickRows> rows_;
+  int rowCount_ = 0;
+  bool changed_ = false;
+  std::vector<Chance> near_, counts_, wide_;
+  std::array<typename Mixer<kInputs>::Weights, kSets> weights_;
+  std::array<std::array<Chance, 5>, D + 1> brickFlag_;
+  std::array<Chance, 5> rowFlag_;
+  std::array<Chance, D + 1> groupFlag_, quietFlag_;
+  Chance vertexFlag_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,94 @@
+// The tube's vertices in a brick of the finest octave: those whose scalars shape the surface.
+#pragma once
+
+#include "window.h"
+
+namespace isostar {
+
+/// Two classes (§5.3): ends of crossing axis edges, all that `cubes` needs; and the other ends of crossing edges of the
+/// RBMT, its diagonals, that only `tetrahedra` needs.
+enum class Members : uint8_t { AxisEnds, DiagonalEnds };
+
+template <int D>
+class Tube {
+ public:
+  void enter(const Signs<D>& signs, std::size_t place, Members members) {
+    table_ = &signs.table();
+    at_ = table_->brick(place);
+    window_.load(signs, at_);
+    const auto& lattice = signs.lattice();
+    uint32_t inside = 0;
+    for (int x = 0; x < kBrickSide && at_[0] * kBrickSide + x <= lattice.last[0]; ++x) inside |= 1u << x;
+    any_ = false;
+    Coordinates<D> v{};
+    for (std::size_t r = 0; r < kRows; ++r) {
+      bool in = true;
+      for (int a = 1; a < D; ++a) in = in && at_[a] * kBrickSide + v[a] <= lattice.last[a];
+      const int row = Window<D>::row(v);
+      const uint32_t ends = axisEnds(row);
+      mask_[r] = static_cast<uint8_t>(!in ? 0 : inside & (members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends));
+      row_[r] = static_cast<int16_t>(row);
+      any_ = any_ || mask_[r] != 0;
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return !any_; }
+  [[nodiscard]] const Window<D>& window() const { return window_; }
+  [[nodiscard]] const BrickTable<D>& table() const { return *table_; }
+  [[nodiscard]] const Coordinates<D>& at() const { return at_; }
+  [[nodiscard]] bool positive(int row, int x) const { return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0; }
+
+  /// Calls visit(window row, brick row, x) for each member in order.
+  template <class Visit>
+  void forEach(Visit visit) const {
+    for (std::size_t r = 0; r < kRows; ++r) {
+      for (uint32_t open = mask_[r]; open != 0; open &= open - 1) visit(row_[r], r, __builtin_ctz(open));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kRows = power(kBrickSide, D - 1);
+
+  [[nodiscard]] uint32_t bits(int row) const { return window_.rows[row]; }
+
+  [[nodiscard]] uint32_t axisEnds(int row) const {
+    const uint32_t mine = bits(row);
+    uint32_t crossing = (mine ^ mine >> 1) | (mine ^ mine << 1);
+    for (int a = 1; a < D; ++a) crossing |= (mine ^ bits(row - Window<D>::rowStride(a))) | (mine ^ bits(row + Window<D>::rowStride(a)));
+    return crossing >> Window<D>::kHalo & 0xFF;
+  }
+
+  /// An edge of the RBMT along several axes joins a vertex even on all of them to one odd on all of them.
+  [[nodiscard]] uint32_t diagonalEnds(const Coordinates<D>& v) const {
+    const uint32_t mine = bits(Window<D>::row(v));
+    uint32_t crossing = 0;
+    Coordinates<D> d;
+    d.fill(-1);
+    for (std::size_t n = 0; n < power(3, D); ++n) {
+      int axes = 0, odd = 0;
+      Coordinates<D> other = v;
+      for (int a = 1; a < D; ++a) {
+        other[a] += d[a];
+        axes += d[a] != 0;
+        odd += d[a] != 0 && (v[a] & 1) != 0;
+      }
+      if (axes + (d[0] != 0) >= 2 && (odd == 0 || odd == axes)) {
+        const uint32_t theirs = bits(Window<D>::row(other));
+        const uint32_t differ = (mine ^ (d[0] == 0 ? theirs : d[0] < 0 ? theirs << 1 : theirs >> 1)) >> Window<D>::kHalo;
+        crossing |= d[0] == 0 ? differ : differ & (odd != 0 ? 0xAAu : 0x55u);
+      }
+      for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+    }
+    return crossing & 0xFF;
+  }
+
+  const BrickTable<D>* table_ = nullptr;
+  Coordinates<D> at_{};
+  Window<D> window_;
+  std::array<uint8_t, kRows> mask_{};
+  std::array<int16_t, kRows> row_{};
+  bool any_ = false;
+};
+
+}  // namespace isostar

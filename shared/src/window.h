@@ -1,0 +1,86 @@
+// A brick of signs with its surroundings, copied where every neighbour is a shift away.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bricks.h"
+
+namespace isostar {
+
+/// Planes -kHalo … 7 + kHalo of a brick on every axis; bit x + kHalo of a row is vertex x. Beyond the lattice the
+/// signs are mirrored.
+template <int D>
+class Window {
+ public:
+  static constexpr int kHalo = 2;
+  static constexpr int kSide = kBrickSide + 2 * kHalo;
+  static constexpr int kRows = static_cast<int>(power(kSide, D - 1));
+
+  /// Rows between neighbours on axis a ≥ 1.
+  static constexpr int rowStride(int axis) { return static_cast<int>(power(kSide, axis - 1)); }
+  /// The row through the brick's vertex with outer coordinates `outer` (axis 0 is ignored), each within [-kHalo, 8 + kHalo).
+  static constexpr int row(const Coordinates<D>& outer) {
+    int at = 0;
+    for (int a = D - 1; a >= 1; --a) at = at * kSide + outer[a] + kHalo;
+    return at;
+  }
+
+  void load(const Signs<D>& signs, const Coordinates<D>& brick) {
+    const auto& lattice = signs.lattice();
+    const auto& table = signs.table();
+    // The bricks around, three a row of bricks; a place beyond the table is never read thanks to the mirror.
+    std::array<const uint8_t*, power(3, D)> near;
+    for (std::size_t n = 0; n < near.size(); ++n) {
+      std::size_t place = 0, digits = n;
+      for (int a = 0; a < D; ++a, digits /= 3) {
+        const int32_t at = std::clamp(brick[a] + static_cast<int32_t>(digits % 3) - 1, 0, table.count(a) - 1);
+        place += static_cast<std::size_t>(at) * table.stride(a);
+      }
+      near[n] = signs.brickAt(place).rows.data();
+    }
+    // For each outer axis and plane of the window: which of the three bricks, and which rows of it.
+    std::array<std::array<uint8_t, kSide>, D> nearAt{}, rowAt{};
+    for (int a = 1; a < D; ++a) {
+      for (int i = 0; i < kSide; ++i) {
+        const int32_t plane = lattice.mirrored(a, brick[a] * kBrickSide + i - kHalo);
+        // Planes far beyond the lattice have a mirror image out of reach: nobody looks at them.
+        const int32_t away = std::clamp((plane >> 3) - brick[a], -1, 1);
+        nearAt[a][i] = static_cast<uint8_t>((away + 1) * static_cast<int>(power(3, a)));
+        rowAt[a][i] = static_cast<uint8_t>(plane & 7);
+      }
+    }
+    const int32_t x0 = brick[0] * kBrickSide;
+    const bool mirror = x0 == 0 || x0 + kBrickSide + kHalo > lattice.last[0];
+    std::array<int, D> i{};
+    for (int r = 0; r < kRows; ++r) {
+      std::size_t n = 0, row = 0;
+      for (int a = D - 1; a >= 1; --a) {
+        n += nearAt[a][i[a]];
+        row = row * kBrickSide + rowAt[a][i[a]];
+      }
+      uint32_t bits = uint32_t{near[n][row]} >> (kBrickSide - kHalo) | uint32_t{near[n + 1][row]} << kHalo |
+                      uint32_t{near[n + 2][row]} << (kBrickSide + kHalo);
+      bits &= (1u << kSide) - 1;
+      rows[r] = static_cast<uint16_t>(mirror ? mirrored(lattice, x0, bits) : bits);
+      for (int a = 1; a < D && ++i[a] == kSide; ++a) i[a] = 0;
+    }
+  }
+
+  std::array<uint16_t, kRows> rows;
+
+ private:
+  static uint32_t mirrored(const Lattice<D>& lattice, int32_t x0, uint32_t bits) {
+    uint32_t result = bits;
+    for (int i = 0; i < kSide; ++i) {
+      const int32_t x = x0 + i - kHalo;
+      if (x >= 0 && x <= lattice.last[0]) continue;
+      const int32_t source = lattice.mirrored(0, x) - x0 + kHalo;
+      const uint32_t value = source >= 0 && source < kSide ? bits >> source & 1 : 0;
+      result = (result & ~(1u << i)) | value << i;
+    }
+    return result;
+  }
+};
+
+}  // namespace isostar
