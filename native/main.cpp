@@ -33,6 +33,9 @@ int run(int argc, char** argv) {
   CLI::App app("Isosurfaces of volume data, compressed and decoded progressively.", "isostar");
   app.set_version_flag("--version", text("isostar %s (format %d)", ISOSTAR_VERSION, kFormatVersion));
   app.option_defaults()->always_capture_default();
+  app.get_formatter()->label("TEXT", "FILE");
+  app.get_formatter()->label("FLOAT", "NUMBER");
+  app.get_formatter()->column_width(34);
   app.require_subcommand(1);
   addEncode(app);
   addDecode(app);

@@ -30,7 +30,9 @@ CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Val
   std::vector<std::string> words;
   for (const auto& each : names) words.push_back(each.first);
   const auto take = [store, names](const std::string& name) { store(names.at(name)); };
-  return app.add_option_function<std::string>(option, take, help)->check(CLI::IsMember(words))->type_name("");
+  return app.add_option_function<std::string>(option, take, help)
+      ->check(CLI::IsMember(words).description(""))
+      ->type_name(CLI::detail::join(words, "|"));
 }
 
 /// The same with a default, which the help shows.

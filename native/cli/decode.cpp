@@ -109,10 +109,12 @@ void addDecode(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")->required();
   command.add_option("output", arguments->output, "The mesh to write: .ply, .obj, .stl or .glb")->required();
-  auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")->type_name("N");
+  auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")
+                    ->type_name("N")
+                    ->check(CLI::NonNegativeNumber.description(""));
   command.add_option("--level", arguments->level, "Stop before the first layer above level L, 0 being the coarsest")
       ->type_name("L")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::NonNegativeNumber.description(""))
       ->excludes(bytes);
   command.add_option("--iso", arguments->isovalue, "Which of the stream's isovalues")->check(kFinite)->type_name("V");
   addPolygonizer(command, arguments->options.polygonizer,

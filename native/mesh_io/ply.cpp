@@ -137,7 +137,8 @@ class Reader {
 
   void readValues(const Property& property, std::vector<double>& values) {
     const double count = property.count ? readValue(*property.count) : 1;
-    if (!(count >= 0) || count > static_cast<double>(words_.left())) fail(text("a list of %g values cannot be", count));
+    if (property.count && (!(count >= 0) || count > static_cast<double>(words_.left())))
+      fail(text("a list of %g values cannot be", count));
     values.resize(static_cast<size_t>(count));
     for (double& value : values) value = readValue(property.type);
   }

@@ -8,6 +8,7 @@
 
 #include "files/failure.h"
 #include "files/text.h"
+#include "volume/caught_words.h"
 #include "volume/formats.h"
 #include "volume/itk_image.h"
 #include "volume/placement.h"
@@ -100,6 +101,14 @@ Placement placementOfSeries(const std::string& folder, const Series& slices) {
   return placementOf(folder, first.origin, axes);
 }
 
+/// GDCM fills up samples that the file has no more, and warns.
+LoadedVolume readWholeFile(const std::string& path) {
+  const CaughtWords words;
+  LoadedVolume volume = readWholeImage(*itk::GDCMImageIO::New(), path, false);
+  if (words.line().find("Incomplete Pixel Data") != std::string::npos) throw Failure(path, "ends within its samples");
+  return volume;
+}
+
 LoadedVolume readSlices(const std::string& folder, const Series& slices) {
   const ItkHeader& first = slices.front().header;
   const size_t count = slices.size();
@@ -108,11 +117,7 @@ LoadedVolume readSlices(const std::string& folder, const Series& slices) {
   SampleBuffer whole(folder, {first.size[0], first.size[1], static_cast<int64_t>(count)}, SampleType::F32, 0);
   auto* const to = reinterpret_cast<float*>(whole.data());
   for (size_t k = 0; k < count; ++k) {
-    const auto io = itk::GDCMImageIO::New();
-    const ItkHeader header = readHeader(*io, slices[k].path);
-    SampleBuffer slice(slices[k].path, header.size, header.type, 0);
-    readSamples(*io, slices[k].path, slice.data());
-    const std::vector<float> samples = slice.take();
+    const std::vector<float> samples = readWholeFile(slices[k].path).samples;
     std::copy(samples.begin(), samples.end(), to + k * area);
   }
   LoadedVolume volume;
@@ -125,7 +130,7 @@ LoadedVolume readSlices(const std::string& folder, const Series& slices) {
 }  // namespace
 
 LoadedVolume readDicomFile(const std::string& path) {
-  return readWholeImage(*itk::GDCMImageIO::New(), path, false);
+  return readWholeFile(path);
 }
 
 LoadedVolume readDicomSeries(const std::string& folder, const std::vector<std::string>& paths) {

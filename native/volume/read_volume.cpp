@@ -7,6 +7,7 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
+#include "volume/child_reader.h"
 #include "volume/formats.h"
 
 namespace isostar::native {
@@ -52,8 +53,9 @@ LoadedVolume readByExtension(const std::string& path) {
 
 LoadedVolume readAny(const VolumeRequest& request) {
   if (request.size && request.type) return readRaw(request);
-  if (std::filesystem::is_directory(request.path)) return readFolder(request.path);
-  return readByExtension(request.path);
+  return readInChild(request.path, [&] {
+    return std::filesystem::is_directory(request.path) ? readFolder(request.path) : readByExtension(request.path);
+  });
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace isostar::native {
 /// What the command line says about a volume. Size and type are for raw files, which tell nothing themselves.
 struct VolumeRequest {
   std::string path;
-  std::optional<ClaimedSize> size;
-  std::optional<SampleType> type;
-  std::optional<std::array<double, 3>> spacing;  // overrules the file's
+  std::optional<ClaimedSize> size{};
+  std::optional<SampleType> type{};
+  std::optional<std::array<double, 3>> spacing{};  // overrules the file's
 };
 
 /// A volume of any known format, told by its extension. The world is the one of NRRD and ITK: LPS, millimetres.

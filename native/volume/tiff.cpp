@@ -9,6 +9,7 @@
 #include "files/text.h"
 #include "volume/formats.h"
 #include "volume/itk_image.h"
+#include "volume/tiff_pages.h"
 
 namespace isostar::native {
 namespace {
@@ -42,6 +43,7 @@ void forgetPlacement(LoadedVolume& volume) {
 }  // namespace
 
 LoadedVolume readTiff(const std::string& path) {
+  requireWholePageList(path);
   LoadedVolume volume = readWholeImage(*itk::TIFFImageIO::New(), path, true);
   forgetPlacement(volume);
   return volume;

@@ -1,0 +1,306 @@
+// The command as a user meets it: what it prints where, its exit status, and what it leaves behind.
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "byte_string.h"
+#include "mesh_io/mesh_file.h"
+#include "scratch_folder.h"
+#include "shapes.h"
+
+namespace isostar::native {
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string results, words;  // standard output and error
+};
+
+class CommandLine : public ScratchFolder {
+ protected:
+  /// Runs the command in the scratch folder, without a shell.
+  Outcome run(std::vector<std::string> arguments, const std::string& results = "/dev/null/none") const {
+    arguments.insert(arguments.begin(), ISOSTAR_COMMAND);
+    const std::string out = results == "/dev/null/none" ? path(".out") : results;
+    const pid_t child = ::fork();
+    if (child == 0) start(arguments, out);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, out == path(".out") ? read(".out") : "",
+                    read(".err")};
+    std::filesystem::remove(path(".out"));
+    std::filesystem::remove(path(".err"));
+    return outcome;
+  }
+
+  /// A fault is one line on standard error, nothing on standard output, and leaves no new file behind.
+  std::string expectFault(int status, const std::vector<std::string>& arguments) const {
+    const size_t before = fileCount();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.words;
+    EXPECT_EQ(outcome.results, "");
+    EXPECT_EQ(std::count(outcome.words.begin(), outcome.words.end(), '\n'), 1) << outcome.words;
+    EXPECT_EQ(outcome.words.rfind("isostar: ", 0), 0u) << outcome.words;
+    EXPECT_EQ(fileCount(), before);
+    return outcome.words;
+  }
+
+  /// A ball of radius 6 in a grid of 20³ with spacing 1, 1, 2.
+  std::string ball() const {
+    std::vector<float> samples;
+    for (int k = 0; k < 20; ++k)
+      for (int j = 0; j < 20; ++j)
+        for (int i = 0; i < 20; ++i) samples.push_back(static_cast<float>(6 - std::hypot(i - 9.6, j - 9.3, k - 9.5)));
+    write("ball.nrrd",
+          "NRRD0004\ntype: float\ndimension: 3\nsizes: 20 20 20\nspacings: 1 1 2\nencoding: raw\n"
+          "endian: little\n\n" +
+              bytesOf(samples));
+    return "ball.nrrd";
+  }
+
+  void encodeBall() const { EXPECT_EQ(run({"encode", ball(), "ball.isostar", "--iso", "0"}).status, 0); }
+
+ private:
+  [[noreturn]] void start(const std::vector<std::string>& arguments, const std::string& out) const {
+    std::vector<char*> pointers;
+    for (const std::string& each : arguments) pointers.push_back(const_cast<char*>(each.c_str()));
+    pointers.push_back(nullptr);
+    const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int errorFile = ::open(path(".err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    ::dup2(outFile, STDOUT_FILENO);
+    ::dup2(errorFile, STDERR_FILENO);
+    if (::chdir(path("").c_str()) == 0) ::execv(pointers[0], pointers.data());
+    ::_exit(127);
+  }
+};
+
+TEST_F(CommandLine, helpsOnStandardOutput) {
+  for (const char* command : {"", "encode", "decode", "info", "compare"}) {
+    const Outcome outcome =
+        run(*command ? std::vector<std::string>{command, "--help"} : std::vector<std::string>{"--help"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.results.find("Usage: isostar"), std::string::npos);
+    EXPECT_EQ(outcome.words, "");
+  }
+  EXPECT_NE(run({"encode", "--help"}).results.find("=0.05"), std::string::npos) << "the default bound is shown";
+}
+
+TEST_F(CommandLine, tellsItsVersion) {
+  const Outcome outcome = run({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.results.rfind("isostar ", 0), 0u);
+}
+
+TEST_F(CommandLine, refusesUnknownWordsAndSuggests) {
+  EXPECT_NE(expectFault(2, {"encode", "a", "b", "--iso", "1", "--max-eror", "2"}).find("did you mean --max-error?"),
+            std::string::npos);
+  EXPECT_NE(expectFault(2, {"decode", "a", "b.ply", "--poligonizer=cubes"}).find("did you mean --polygonizer?"),
+            std::string::npos);
+  EXPECT_NE(expectFault(2, {"encod", "a"}).find("did you mean encode?"), std::string::npos);
+  EXPECT_NE(expectFault(2, {"info", "a", "b"}).find("one argument too many: b"), std::string::npos);
+  expectFault(2, {"decode", "a", "b.ply", "--zzz"});
+  expectFault(2, {});
+}
+
+TEST_F(CommandLine, refusesValuesThatMakeNoSense) {
+  const std::string volume = ball();
+  for (const std::vector<std::string>& bad :
+       std::vector<std::vector<std::string>>{{"--iso", "nan"},
+                                             {"--iso", "inf"},
+                                             {"--iso", "high"},
+                                             {"--iso"},
+                                             {},
+                                             {"--iso", "0", "--max-error", "abc"},
+                                             {"--iso", "0", "--max-error", "0"},
+                                             {"--iso", "0", "--max-error", "-1"},
+                                             {"--iso", "0", "--max-error", "nan"},
+                                             {"--iso", "0", "--max-error", "0.1", "--lossless"},
+                                             {"--iso", "0", "--polygonizer", "spheres"},
+                                             {"--iso", "0", "--units", "miles"},
+                                             {"--iso", "0", "--size", "1,2"},
+                                             {"--iso", "0", "--size", "1,2,x", "--type", "u8"},
+                                             {"--iso", "0", "--size", "-1,2,3", "--type", "u8"},
+                                             {"--iso", "0", "--type", "u9"},
+                                             {"--iso", "0", "--size", "1,2,3"},
+                                             {"--iso", "0", "--spacing", "0,1,1"},
+                                             {"--iso", "0", "--spacing", "nan,1,1"}}) {
+    std::vector<std::string> line = {"encode", volume, "out.isostar"};
+    line.insert(line.end(), bad.begin(), bad.end());
+    expectFault(2, line);
+  }
+  encodeBall();
+  expectFault(2, {"decode", "ball.isostar", "out.ply", "--bytes", "-1"});
+  expectFault(2, {"decode", "ball.isostar", "out.ply", "--level", "-1"});
+  expectFault(2, {"decode", "ball.isostar", "out.ply", "--level", "1", "--bytes", "100"});
+  expectFault(2, {"decode", "ball.isostar", "out.ply", "--frame", "moon"});
+  expectFault(2, {"decode", "ball.isostar", "out.xyz"});
+}
+
+TEST_F(CommandLine, refusesFilesItCannotReadOrWrite) {
+  const std::string volume = ball();
+  EXPECT_NE(expectFault(1, {"encode", "none.nrrd", "out.isostar", "--iso", "0"}).find("none.nrrd: cannot be read"),
+            std::string::npos);
+  EXPECT_NE(expectFault(1, {"encode", volume, "none/out.isostar", "--iso", "0"}).find("there is no folder none"),
+            std::string::npos);
+  expectFault(1, {"encode", volume, ".", "--iso", "0"});
+  expectFault(2, {"encode", volume, volume, "--iso", "0"});
+  expectFault(2, {"encode", volume, "./ball.nrrd", "--iso", "0"});
+  expectFault(1, {"decode", "none.isostar", "out.ply"});
+  EXPECT_NE(expectFault(1, {"decode", volume, "out.ply"}).find("ball.nrrd: "), std::string::npos);
+  expectFault(1, {"info", volume});
+  expectFault(1, {"info", "none"});
+  expectFault(1, {"compare", "none.ply", "none.ply"});
+  EXPECT_FALSE(read(volume).empty());
+}
+
+TEST_F(CommandLine, leavesAnOldOutputAloneWhereItFails) {
+  ball();
+  write("cut.nrrd", read("ball.nrrd").substr(0, 5000));
+  write("out.isostar", "before");
+  expectFault(1, {"encode", "cut.nrrd", "out.isostar", "--iso", "0"});
+  EXPECT_EQ(read("out.isostar"), "before");
+}
+
+TEST_F(CommandLine, tellsThatStandardOutputIsFull) {
+  encodeBall();
+  EXPECT_EQ(run({"info", "ball.isostar", "--json"}, "/dev/full").status, 1);
+  EXPECT_EQ(run({"encode", "ball.nrrd", "/dev/full", "--iso", "0"}).status, 1);
+}
+
+TEST_F(CommandLine, encodesTellsDecodesAndCompares) {
+  const Outcome encoded = run({"encode", ball(), "ball.isostar", "--iso", "0", "--json"});
+  ASSERT_EQ(encoded.status, 0) << encoded.words;
+  const auto report = nlohmann::json::parse(encoded.results);
+  EXPECT_EQ(report["bytes"], read("ball.isostar").size());
+  EXPECT_GT(report["peakMemory"], 1 << 20);
+  EXPECT_TRUE(report["milliseconds"]["encode"].is_number() && report["milliseconds"]["polygonize"].is_number());
+  EXPECT_NE(encoded.words.find("error at most 0.05 grid steps"), std::string::npos);
+
+  const auto info = nlohmann::json::parse(run({"info", "ball.isostar", "--json"}).results);
+  EXPECT_EQ(info["vertices"], report["vertices"]);
+  EXPECT_EQ(info["size"], (std::vector<int>{20, 20, 20}));
+  EXPECT_EQ(info["spacing"], (std::vector<double>{1, 1, 2}));
+  EXPECT_EQ(info["isovalues"], (std::vector<double>{0}));
+  EXPECT_EQ(info["layers"].back()["offset"], report["bytes"]);
+  const auto& bits = info["bits"];
+  EXPECT_EQ(bits["connectivity"].get<int>() + bits["geometry"].get<int>() + bits["header"].get<int>(),
+            8 * report["bytes"].get<int>());
+
+  const Outcome decoded = run({"decode", "ball.isostar", "ball.ply", "--json"});
+  ASSERT_EQ(decoded.status, 0) << decoded.words;
+  const Mesh mesh = readMesh(path("ball.ply"));
+  const auto counts = nlohmann::json::parse(decoded.results);
+  EXPECT_EQ(counts["vertices"], mesh.positions.size() / 3);
+  EXPECT_EQ(counts["triangles"], mesh.triangles.size() / 3);
+  EXPECT_EQ(counts["vertices"], report["vertices"]);
+  EXPECT_EQ(counts["triangles"], report["triangles"]);
+
+  const Outcome compared = run({"compare", "ball.ply", "ball.isostar", "--json"});
+  ASSERT_EQ(compared.status, 0) << compared.words;
+  const auto distances = nlohmann::json::parse(compared.results);
+  EXPECT_LT(distances["symmetric"]["max"], 1e-5);
+  EXPECT_EQ(distances["a"]["components"], 1);
+  EXPECT_EQ(distances["b"]["genus"], 0);
+  EXPECT_EQ(distances["b"]["boundaryEdges"], 0);
+  EXPECT_EQ(distances["units"], "grid");
+}
+
+TEST_F(CommandLine, writesEveryMeshFormatInBothFrames) {
+  encodeBall();
+  for (const char* name : {"m.ply", "m.obj", "m.stl", "m.glb"})
+    EXPECT_EQ(run({"decode", "ball.isostar", name, "--polygonizer", "tetrahedra"}).status, 0) << name;
+  run({"decode", "ball.isostar", "world.stl"});
+  run({"decode", "ball.isostar", "grid.stl", "--frame", "grid"});
+  const auto highest = [&](const char* name) {
+    float z = 0;
+    const Mesh mesh = readMesh(path(name));
+    for (size_t v = 2; v < mesh.positions.size(); v += 3) z = std::max(z, mesh.positions[v]);
+    return z;
+  };
+  EXPECT_NEAR(highest("world.stl"), 2 * highest("grid.stl"), 1e-4);
+}
+
+TEST_F(CommandLine, decodesPrefixes) {
+  encodeBall();
+  const auto info = nlohmann::json::parse(run({"info", "ball.isostar", "--json"}).results);
+  const auto report = [&](std::vector<std::string> more) {
+    std::vector<std::string> line = {"decode", "ball.isostar", "part.ply", "--json"};
+    line.insert(line.end(), more.begin(), more.end());
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.status, 0) << outcome.words;
+    EXPECT_EQ(outcome.words.find("warning"), std::string::npos) << outcome.words;
+    return nlohmann::json::parse(outcome.results);
+  };
+  EXPECT_LT(report({"--level", "0"})["vertices"], info["vertices"]);
+  EXPECT_EQ(report({"--level", "99"})["vertices"], info["vertices"]);
+  EXPECT_EQ(report({"--bytes", "99999999"})["vertices"], info["vertices"]);
+  const int whole = info["bytes"], header = info["bits"]["header"].get<int>() / 8;
+  for (int bytes = header; bytes < whole; bytes += 1 + whole / 20) report({"--bytes", std::to_string(bytes)});
+  expectFault(1, {"decode", "ball.isostar", "part2.ply", "--bytes", "3"});
+}
+
+TEST_F(CommandLine, warnsOfAFileThatEndsEarly) {
+  encodeBall();
+  const std::string whole = read("ball.isostar");
+  write("cut.isostar", whole.substr(0, whole.size() - 10));
+  const Outcome outcome = run({"decode", "cut.isostar", "cut.ply"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.words.find("warning: cut.isostar ends early"), std::string::npos) << outcome.words;
+}
+
+TEST_F(CommandLine, refusesADamagedStream) {
+  encodeBall();
+  std::string stream = read("ball.isostar");
+  stream[stream.size() / 2] ^= 0x10;
+  write("bad.isostar", stream);
+  expectFault(1, {"decode", "bad.isostar", "bad.ply"});
+}
+
+TEST_F(CommandLine, refusesAnIsovalueTheStreamDoesNotHold) {
+  encodeBall();
+  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "out.ply", "--iso", "1"}).find("does not hold isovalue 1"),
+            std::string::npos);
+  EXPECT_EQ(run({"decode", "ball.isostar", "out.ply", "--iso", "0"}).status, 0);
+}
+
+TEST_F(CommandLine, takesNegativeIsovalues) {
+  EXPECT_EQ(run({"encode", ball(), "a.isostar", "--iso", "-1.5"}).status, 0);
+  EXPECT_EQ(run({"encode", ball(), "a.isostar", "--iso=-1.5"}).status, 0);
+}
+
+TEST_F(CommandLine, anEmptySurfaceIsAStreamAndAWarning) {
+  const Outcome outcome = run({"encode", ball(), "empty.isostar", "--iso", "1000"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.words.find("warning: the surface is empty"), std::string::npos);
+  for (const char* name : {"e.ply", "e.obj", "e.stl", "e.glb"})
+    EXPECT_EQ(run({"decode", "empty.isostar", name}).status, 0);
+  EXPECT_EQ(run({"info", "empty.isostar"}).status, 0);
+  EXPECT_TRUE(
+      nlohmann::json::parse(run({"compare", "e.ply", "empty.isostar", "--json"}).results)["symmetric"].is_null());
+}
+
+TEST_F(CommandLine, readsRawAndWritesToAPipe) {
+  write("v.raw", bytesOf(counting<uint8_t>(125)));
+  const Outcome outcome = run({"encode", "v.raw", "-", "--size", "5,5,5", "--type", "u8", "--iso", "60.5"});
+  EXPECT_EQ(outcome.status, 0) << outcome.words;
+  write("v.isostar", outcome.results);
+  EXPECT_EQ(run({"info", "v.isostar"}).status, 0);
+}
+
+TEST_F(CommandLine, countsLengthsInWorldUnits) {
+  write("v.raw", bytesOf(counting<uint8_t>(125)));
+  EXPECT_EQ(run({"encode", "v.raw", "v.isostar", "--size", "5,5,5", "--type", "u8", "--iso", "60.5", "--spacing",
+                 "0.5,1,1", "--units", "world", "--max-error", "0.1"})
+                .status,
+            0);
+  EXPECT_NEAR(nlohmann::json::parse(run({"info", "v.isostar", "--json"}).results)["maxError"], 0.2, 1e-6);
+  EXPECT_NEAR(nlohmann::json::parse(run({"info", "v.isostar", "--json", "--units", "world"}).results)["maxError"], 0.1,
+              1e-6);
+}
+
+}  // namespace
+}  // namespace isostar::native
