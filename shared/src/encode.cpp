@@ -53,19 +53,9 @@ class LayerWriter {
     tell({pass.kind, header_.octaves, 0, 0, 0}, known_.signs, [&](auto& ask) { known_.geometry(ask, pass); }, &pass);
   }
 
-  /// Tells a last pass so that no vertex is off by more than the bound: repeats it with less allowed where need be.
-  void geometryWithin(GeometryPass pass, double bound) {
-    const Knowledge before = known_;
-    const std::size_t size = bytes_.size();
-    for (int tries = 0;; ++tries) {
-      geometry(pass);
-      if (tries == 8 || distance_.largest(known_.signs, known_.scalars, header_.polygonizer) <= bound) return;
-      known_ = before;
-      bytes_.resize(size);
-      --layers_;
-      for (uint32_t& a : pass.allowed) a -= a / 16;
-    }
-  }
+  /// The bricks where a vertex of the surface is off by more than the bound, by place; none if there are none.
+  [[nodiscard]] std::vector<uint8_t> beyond(double bound) const { return distance_.beyond(bound, known_.signs, known_.scalars, known_.active); }
+  void select(std::vector<uint8_t> places) { quantized_.select(std::move(places)); }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
   [[nodiscard]] uint32_t layers() const { return layers_; }
@@ -101,39 +91,53 @@ class LayerWriter {
   uint32_t layers_ = 0;
 };
 
-/// How far a crossing may move along an edge of each axis, 1/65536 of it, for a distance in grid steps along the
-/// smallest spacing.
-std::array<uint32_t, 3> allowed(const Placement& placement, double distance) {
-  const double smallest = std::ranges::min(placement.spacing);
-  std::array<uint32_t, 3> result;
-  for (std::size_t a = 0; a < 3; ++a) {
-    result[a] = static_cast<uint32_t>(std::clamp(65536 * distance * smallest / placement.spacing[a], 0.0, 65536.0));
+/// How far a crossing may move along an edge for a distance in grid steps along the smallest spacing; edges along
+/// several axes only count for tetrahedra.
+GeometryCoder<3>::Allowed allowed(const Header& header, double distance) {
+  GeometryCoder<3>::Allowed result{};
+  for (unsigned axes = 1; axes < result.size(); ++axes) {
+    if (header.polygonizer == Polygonizer::Cubes && !std::has_single_bit(axes)) continue;
+    result[axes] = static_cast<uint32_t>(std::clamp(65536 * distance / edgeLength(header.placement, axes), 0.0, 65536.0));
   }
+  // The last also says whether diagonals count: even where nothing may move they do.
+  if (header.polygonizer == Polygonizer::Tetrahedra) result.back() = std::max(result.back(), 1u);
   return result;
 }
 
-void tellGeometry(LayerWriter& layers, const Volume& volume, const EncodeOptions& options) {
-  constexpr double kCoarsest = 0.1;  // the first pass alone is nearly as good
-  const bool both = options.polygonizer == Polygonizer::Tetrahedra;
-  auto forMembers = [&](GeometryPass pass, bool last) {
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      pass.members = members;
-      const bool final = members == (both ? Members::DiagonalEnds : Members::AxisEnds);
-      if (last && final && !options.lossless) layers.geometryWithin(pass, options.maxError);
-      else layers.geometry(pass);
-      if (final) return;
-    }
-  };
-  const double bound = options.lossless ? 0 : options.maxError;
-  forMembers({LayerKind::Octaves, Members::AxisEnds, bound > 0.3 ? 1 : bound > 0.15 ? 2 : 3, {}, 0}, false);
-  double distance = bound;
-  if (options.lossless) distance = 0.025;
+/// One pass, for all scalars that the stream's polygonizer needs.
+void tellPass(LayerWriter& layers, const Header& header, GeometryPass pass) {
+  layers.geometry(pass);
+  if (header.polygonizer == Polygonizer::Cubes) return;
+  pass.members = Members::DiagonalEnds;
+  layers.geometry(pass);
+}
+
+GeometryPass halving(const Header& header, double distance) {
+  return {LayerKind::Halving, Members::AxisEnds, 0, allowed(header, distance), 30, false};
+}
+
+/// Octaves, then halvings to half the distance each, until the bound holds.
+void tellGeometry(LayerWriter& layers, const Header& header) {
+  constexpr double kCoarsest = 0.1;  // octaves alone are nearly as good
+  constexpr double kFinestOfLossless = 0.025;
+  const double bound = header.lossless ? 0 : double{header.maxError};
+  tellPass(layers, header, {LayerKind::Octaves, Members::AxisEnds, bound > 0.3 ? 1 : bound > 0.15 ? 2 : 3, {}, 0, false});
+  double distance = header.lossless ? kFinestOfLossless : bound;
   while (distance * 2 <= kCoarsest) distance *= 2;
-  for (; distance > bound * 1.001; distance /= options.lossless ? 4 : 2) {
-    forMembers({LayerKind::Halving, Members::AxisEnds, 0, allowed(volume.placement, distance), 8}, false);
-    if (options.lossless && distance < 0.05) break;
+  for (; distance > (header.lossless ? kFinestOfLossless * 0.9 : bound * 1.1); distance /= header.lossless ? 4 : 2) {
+    tellPass(layers, header, halving(header, distance));
   }
-  forMembers({LayerKind::Halving, Members::AxisEnds, 0, allowed(volume.placement, bound), 32}, true);
+  tellPass(layers, header, halving(header, bound));
+  if (header.lossless) return;
+  // What moves a crossing is judged to first order. Where that was not enough, the bricks concerned go further.
+  for (distance = bound / 2; distance > bound / 64; distance /= 2) {
+    auto places = layers.beyond(bound);
+    if (places.empty()) return;
+    layers.select(std::move(places));
+    GeometryPass repair = halving(header, distance);
+    repair.selective = true;
+    tellPass(layers, header, repair);
+  }
 }
 
 }  // namespace
@@ -144,10 +148,10 @@ Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std
   Header header = makeHeader(volume, options);
   const auto finest = field.signs(1);
   field.quantize(header, finest);
-  header.vertices = countCrossings(finest);
+  header.vertices = countCrossings(finest, activeBricks(finest));
   LayerWriter layers(field, header, options);
   layers.signs();
-  if (header.vertices != 0) tellGeometry(layers, volume, options);
+  if (header.vertices != 0) tellGeometry(layers, header);
   header.layers = layers.layers();
   ByteWriter writer(out);
   write(writer, header);

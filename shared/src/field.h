@@ -43,16 +43,19 @@ class VolumeField {
   BrickTable<3> table_;
 };
 
-/// A field's scalars as the quanta of one stream.
+/// A field's scalars as the quanta of one stream, and the bricks selected for a pass, by place.
 class QuantizedField {
  public:
   QuantizedField(const VolumeField& field, const Header& header) : field_(field), header_(header) {}
+  void select(std::vector<uint8_t> places) { selected_ = std::move(places); }
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(header_, place, r, x); }
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, place); }
+  [[nodiscard]] bool selected(std::size_t place) const { return selected_[place] != 0; }
 
  private:
   const VolumeField& field_;
   const Header& header_;
+  std::vector<uint8_t> selected_;
 };
 
 }  // namespace isostar

@@ -46,13 +46,18 @@ class GeometryCoder {
     }
   }
 
-  /// A further pass: halves intervals, at most `most` times each, while they move a crossing by more than `allowed`
-  /// (1/65536 of an edge, by axis).
+  /// How far a crossing may move along an edge of the RBMT, in 1/65536 of it, by the set of axes that the edge runs
+  /// along. The last, the cell's diagonal, is 0 where diagonals do not count.
+  using Allowed = std::array<uint32_t, (1u << D)>;
+
+  /// A further pass: halves intervals, at most `most` times each, while they move a crossing by more than allowed.
+  /// A selective pass first tells of each brick whether it takes part.
   template <class Exchange>
-  void refine(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, const std::array<uint32_t, D>& allowed, int most,
+  void refine(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, const Allowed& allowed, int most, bool selective,
               const std::vector<uint8_t>& active) {
     for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
       if (active[place] == 0 || !scalars.has(place)) continue;
+      if (selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
       tube_.enter(signs, place, members);
       if (tube_.empty()) continue;
       enter(scalars, place);
@@ -171,25 +176,50 @@ class GeometryCoder {
   }
 
   /// May the interval move a crossing on an edge of the vertex by more than allowed?
-  [[nodiscard]] bool moves(int row, int x, std::size_t r, uint32_t middle, int width, const std::array<uint32_t, D>& allowed) const {
-    const int here = window_.index(r, x);
+  [[nodiscard]] bool moves(int row, int x, std::size_t r, uint32_t middle, int width, const Allowed& allowed) const {
+    const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
     const bool mine = tube_.positive(row, x);
     for (int a = 0; a < D; ++a) {
       for (int side = -1; side <= 1; side += 2) {
-        const bool theirs = a == 0 ? tube_.positive(row, x + side) : tube_.positive(row + side * Window<D>::rowStride(a), x);
-        if (theirs == mine) continue;
-        const int32_t known = window_.value[here + side * ScalarWindow<D>::stride(a)];
-        if (known == Scalars<D>::kUnknown) continue;
-        uint64_t other = static_cast<uint64_t>(known < 0 ? -int64_t{known} : known);
-        uint64_t total = other + middle, size = uint64_t{2} << width;
-        const int excess = std::max(0, 64 - std::countl_zero(total) - 20);
-        other >>= excess;
-        total >>= excess;
-        size >>= excess;
-        if ((size * other) << 16 > allowed[a] * total * total) return true;
+        const int32_t known = here[side * ScalarWindow<D>::stride(a)];
+        if (known != Scalars<D>::kUnknown && (known > 0) != mine && exceeds(known, middle, width, allowed[std::size_t{1} << a])) return true;
       }
     }
+    return allowed.back() != 0 && movesDiagonal(row, r, x, middle, width, allowed);
+  }
+
+  [[nodiscard]] bool movesDiagonal(int row, std::size_t r, int x, uint32_t middle, int width, const Allowed& allowed) const {
+    const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
+    const bool mine = tube_.positive(row, x);
+    const unsigned parity = Tube<D>::parity(r, x);
+    Coordinates<D> d;
+    d.fill(-1);
+    for (std::size_t n = 0; n < power(3, D); ++n) {
+      unsigned axes = 0;
+      int offset = 0;
+      for (int a = 0; a < D; ++a) {
+        axes |= d[a] != 0 ? 1u << a : 0u;
+        offset += d[a] * ScalarWindow<D>::stride(a);
+      }
+      // Ends are even on all axes of the diagonal, or odd on all.
+      if (!std::has_single_bit(axes) && axes != 0 && ((parity & axes) == 0 || (parity & axes) == axes)) {
+        const int32_t known = here[offset];
+        if (known != Scalars<D>::kUnknown && (known > 0) != mine && exceeds(known, middle, width, allowed[axes])) return true;
+      }
+      for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+    }
     return false;
+  }
+
+  /// Half the interval times |b| / (|a| + |b|)² is how far the crossing moves.
+  static bool exceeds(int32_t known, uint32_t middle, int width, uint32_t allowed) {
+    uint64_t other = static_cast<uint64_t>(known < 0 ? -int64_t{known} : known);
+    uint64_t total = other + middle, size = uint64_t{2} << width;
+    const int excess = std::max(0, 44 - std::countl_zero(total));
+    other >>= excess;
+    total >>= excess;
+    size >>= excess;
+    return (size * other) << 16 > allowed * total * total;
   }
 
   template <class Exchange>
@@ -215,6 +245,7 @@ class GeometryCoder {
   int64_t steps_ = 1;
   int lastGradient_ = 0;
   std::array<Chance, 16> gradientModel_;
+  Chance selectModel_;
   std::vector<Chance> shape_, guess_, beside_, refine_;
   std::array<Mixer<3>::Weights, kMostOctaves * 4> weights_;
 };

@@ -13,8 +13,9 @@ struct GeometryPass {
   LayerKind kind = LayerKind::Octaves;
   Members members = Members::AxisEnds;
   int depth = 3;                         // Octaves: of the floor below the gradient
-  std::array<uint32_t, 3> allowed{};     // Halving: by axis, 1/65536 of an edge
+  GeometryCoder<3>::Allowed allowed{};   // Halving
   int most = 1;                          // Halving: of one interval
+  bool selective = false;                // Halving: only in bricks that are told
 
   void write(ByteWriter& out) const {
     out.u8(static_cast<uint64_t>(members));
@@ -22,8 +23,9 @@ struct GeometryPass {
       out.u8(static_cast<uint64_t>(depth));
       return;
     }
-    for (uint32_t a : allowed) out.varint(a);
+    for (std::size_t axes = 1; axes < allowed.size(); ++axes) out.varint(allowed[axes]);
     out.u8(static_cast<uint64_t>(most));
+    out.u8(selective ? 1 : 0);
   }
   /// False where a field is out of its range.
   [[nodiscard]] bool read(ByteReader& in) {
@@ -34,13 +36,15 @@ struct GeometryPass {
       depth = static_cast<int>(in.u8());
       return sane && depth <= 32;
     }
-    for (uint32_t& a : allowed) {
+    for (std::size_t axes = 1; axes < allowed.size(); ++axes) {
       const uint64_t v = in.varint();
       sane = sane && v <= (1u << 20);
-      a = static_cast<uint32_t>(v);
+      allowed[axes] = static_cast<uint32_t>(v);
     }
     most = static_cast<int>(in.u8());
-    return sane && most <= 32 && !in.malformed();
+    const uint32_t select = in.u8();
+    selective = select == 1;
+    return sane && most <= 32 && select <= 1 && !in.malformed();
   }
 };
 
@@ -69,7 +73,7 @@ struct Knowledge {
     if (pass.kind == LayerKind::Octaves) {
       coder.tellOctaves(ask, signs, scalars, pass.members, pass.depth, active);
     } else {
-      coder.refine(ask, signs, scalars, pass.members, pass.allowed, pass.most, active);
+      coder.refine(ask, signs, scalars, pass.members, pass.allowed, pass.most, pass.selective, active);
     }
   }
 

@@ -8,9 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "cell_table.h"
-#include "octave.h"
-#include "scalar_window.h"
-#include "window.h"
+#include "crossings.h"
 
 namespace isostar {
 namespace {
@@ -87,38 +85,16 @@ class Polygonization {
   [[nodiscard]] unsigned lastAxes() const { return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u; }
   [[nodiscard]] bool uses(unsigned axes) const { return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes); }
 
-  /// The planes of a brick on axis 0 that lie inside the lattice, and those with a next plane.
-  [[nodiscard]] Bits planes(int32_t brick, int32_t last) const {
-    const int32_t count = std::clamp(last - brick * kBrickSide + 1, 0, kBrickSide);
-    return (1u << count) - 1;
-  }
-
-  /// Which edges along `axes` from the vertices of a row are crossed. A diagonal joins the vertex of its face that is even
-  /// on these axes with the odd one.
-  [[nodiscard]] Bits crossed(int row, unsigned r, unsigned axes) const {
-    int evenRow = row, oddRow = row;
-    for (unsigned a = 1; a < 3; ++a) {
-      if ((axes >> a & 1) == 0) continue;
-      const bool odd = (r >> (a == 1 ? 0 : 3) & 1) != 0;
-      (odd ? evenRow : oddRow) += Window<3>::rowStride(static_cast<int>(a));
-    }
-    const Bits even = static_cast<Bits>(window_.rows[evenRow]) >> Window<3>::kHalo, odd = static_cast<Bits>(window_.rows[oddRow]) >> Window<3>::kHalo;
-    if ((axes & 1) == 0) return even ^ odd;
-    return ((even ^ odd >> 1) & 0x55) | ((even >> 1 ^ odd) & 0xAA);
-  }
-
   void countEdges(std::size_t place) {
     const auto brick = signs_.table().brick(place);
     window_.load(signs_, brick);
     EdgeIndex& index = index_[slot_[place]];
     for (unsigned axes = 1; axes <= 7; ++axes) {
       if (!uses(axes)) continue;
-      const Bits inX = planes(brick[0], lattice_.last[0] - static_cast<int32_t>(axes & 1));
       for (unsigned r = 0; r < kRows; ++r) {
-        const int32_t y = static_cast<int32_t>(r & 7), z = static_cast<int32_t>(r >> 3);
-        const bool inside = brick[1] * kBrickSide + y + static_cast<int32_t>(axes >> 1 & 1) <= lattice_.last[1] &&
-                            brick[2] * kBrickSide + z + static_cast<int32_t>(axes >> 2 & 1) <= lattice_.last[2];
-        const Bits bits = inside ? crossed(Window<3>::row({0, y, z}), r, axes) & inX : 0;
+        const int row = Window<3>::row({0, static_cast<int32_t>(r & 7), static_cast<int32_t>(r >> 3)});
+        const Bits inside = edgesInside(lattice_, brick, r, axes);
+        const Bits bits = inside != 0 ? crossedEdges(window_, row, r, axes) & inside : 0;
         index.crossed[axes - 1][r] = static_cast<uint8_t>(bits);
         index.first[axes - 1][r] = static_cast<uint32_t>(vertices_);
         vertices_ += static_cast<uint64_t>(std::popcount(bits));
@@ -150,24 +126,16 @@ class Polygonization {
   }
 
   void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned r, unsigned x, uint32_t id) {
-    const std::array<unsigned, 3> local{x, r & 7, r >> 3};
-    Coordinates<3> even, odd;
-    int evenAt = ScalarWindow<3>::index(r, static_cast<int>(x)), oddAt = evenAt;
-    for (int a = 0; a < 3; ++a) {
-      even[a] = odd[a] = brick[a] * kBrickSide + static_cast<int32_t>(local[static_cast<std::size_t>(a)]);
-      if ((axes >> a & 1) == 0) continue;
-      const bool isOdd = (local[static_cast<std::size_t>(a)] & 1) != 0 && !std::has_single_bit(axes);
-      (isOdd ? even : odd)[a] += 1;
-      (isOdd ? evenAt : oddAt) += ScalarWindow<3>::stride(a);
-    }
-    const double from = size(evenAt), to = size(oddAt);
+    const EdgeEnds ends(brick, r, x, axes);
+    const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
-    const glm::dvec3 start = frames_.sample(even), end = frames_.sample(odd);
+    const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
     write(out_.positions, id, frames_.place(start + t * (end - start)));
     if (!options_.normals) return;
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
-      gradient[a] = (axes >> a & 1) != 0 && std::has_single_bit(axes) ? scalar(oddAt) - scalar(evenAt) : across(evenAt, oddAt, t, a);
+      if (axes == 1u << a) gradient[a] = (scalar(ends.oddAt) - scalar(ends.evenAt)) * (ends.odd[a] - ends.even[a]);
+      else gradient[a] = across(ends.evenAt, ends.oddAt, t, a);
     }
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
@@ -209,15 +177,15 @@ class Polygonization {
       }
       if (inside && slot_[other] != kNone) near[c] = &index_[slot_[other]];
     }
-    const Bits inX = planes(brick[0], lattice_.last[0] - 1);
     for (unsigned r = 0; r < kRows; ++r) {
+      const Bits inside = edgesInside(lattice_, brick, r, 7);
+      if (inside == 0) continue;
       const int32_t y = static_cast<int32_t>(r & 7), z = static_cast<int32_t>(r >> 3);
-      if (brick[1] * kBrickSide + y >= lattice_.last[1] || brick[2] * kBrickSide + z >= lattice_.last[2]) continue;
       const int row = Window<3>::row({0, y, z});
       const Bits a = window_.rows[row], b = window_.rows[row + Window<3>::rowStride(1)];
       const Bits c = window_.rows[row + Window<3>::rowStride(2)], d = window_.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
       const Bits some = a | b | c | d, all = a & b & c & d;
-      Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inX;
+      Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inside;
       for (; open != 0; open &= open - 1) {
         const auto x = static_cast<unsigned>(std::countr_zero(open));
         const unsigned at = x + Window<3>::kHalo;

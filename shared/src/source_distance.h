@@ -1,6 +1,7 @@
 // How far the surface told so far lies from the source's: what layers' heads state, and what holds the bound.
 #pragma once
 
+#include "crossings.h"
 #include "field.h"
 #include "scalars.h"
 
@@ -11,18 +12,30 @@ class SourceDistance {
  public:
   SourceDistance(const VolumeField& field, const Header& header) : field_(field), header_(header) {}
 
-  /// RMS distance of the surface that `cubes` makes, from a sample of its vertices.
+  /// RMS distance of the surface that `cubes` makes of what is known, from a sample of its vertices. `active` as of
+  /// activeBricks(signs); scalars may be empty.
   [[nodiscard]] double rms(const Signs<3>& signs, const Scalars<3>& scalars, const std::vector<uint8_t>& active) const;
 
-  /// The largest distance by which a vertex of the finest surface is off its place on its edge.
-  [[nodiscard]] double largest(const Signs<3>& signs, const Scalars<3>& scalars, Polygonizer polygonizer) const;
+  /// The bricks with an end of an edge on which a vertex of the finest surface is off by more than a bound, 1 marked, by
+  /// place; empty if there is none. All scalars are known.
+  [[nodiscard]] std::vector<uint8_t> beyond(double bound, const Signs<3>& signs, const Scalars<3>& scalars, const std::vector<uint8_t>& active) const;
 
  private:
+  using Point = std::array<double, 3>;
+
+  [[nodiscard]] double crossing(const Coordinates<3>& even, const Coordinates<3>& odd) const;
+  [[nodiscard]] Point normal(const Coordinates<3>& even, const Coordinates<3>& odd) const;
+  [[nodiscard]] double nearest(const Point& sample, int32_t step) const;
+  [[nodiscard]] double decoded(const ScalarWindow<3>& scalars, const EdgeEnds& ends) const;
+
   const VolumeField& field_;
   const Header& header_;
 };
 
 /// How many axis edges have ends of both signs: the vertices of marching cubes.
-[[nodiscard]] uint64_t countCrossings(const Signs<3>& signs);
+[[nodiscard]] uint64_t countCrossings(const Signs<3>& signs, const std::vector<uint8_t>& active);
+
+/// The length of an edge along a set of axes, in grid steps along the smallest spacing.
+[[nodiscard]] double edgeLength(const Placement& placement, unsigned axes);
 
 }  // namespace isostar

@@ -39,6 +39,13 @@ class Tube {
   [[nodiscard]] const Coordinates<D>& at() const { return at_; }
   [[nodiscard]] bool positive(int row, int x) const { return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0; }
 
+  /// The axes on which vertex x of row r is odd.
+  [[nodiscard]] static unsigned parity(std::size_t r, int x) {
+    unsigned odd = static_cast<unsigned>(x) & 1;
+    for (int a = 1; a < D; ++a, r /= kBrickSide) odd |= static_cast<unsigned>(r & 1) << a;
+    return odd;
+  }
+
   /// Calls visit(window row, brick row, x) for each member in order.
   template <class Visit>
   void forEach(Visit visit) const {
