@@ -5,6 +5,7 @@
 
 #include "exchange.h"
 #include "octave.h"
+#include "interpolation.h"
 #include "prediction.h"
 #include "tube.h"
 
@@ -66,9 +67,10 @@ class GeometryCoder {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         if (!brick.knows(v) || ask.spent()) return;
         const bool positive = tube_.positive(row, x);
+        const auto guess = Interpolation<D>::of(window_, r, x, positive);
         for (int told = 0; told < most && brick.width[v] > 0; ++told) {
           if (!moves(row, x, r, brick.middle(v), brick.width[v], allowed)) break;
-          halve(ask, brick, v, row, r, x, positive, ask.magnitude(place, r, x));
+          halve(ask, brick, v, guess, positive, ask.magnitude(place, r, x));
           window_.value[window_.index(r, x)] = brick.value[v];
         }
       });
@@ -223,8 +225,7 @@ class GeometryCoder {
   }
 
   template <class Exchange>
-  void halve(Exchange& ask, typename Scalars<D>::Brick& brick, std::size_t v, int row, std::size_t r, int x, bool positive, uint32_t truth) {
-    const auto g = Prediction<D>::template of<false>(tube_.window(), window_, row, r, x, steps_);
+  void halve(Exchange& ask, typename Scalars<D>::Brick& brick, std::size_t v, const Interpolation<D>& g, bool positive, uint32_t truth) {
     const int width = brick.width[v] - 1;
     const uint32_t low = brick.low(v), middle = low + (uint32_t{1} << width);
     // Where the guess lies in the interval, in sixteenths; it may lie outside.

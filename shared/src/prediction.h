@@ -22,24 +22,23 @@ struct Prediction {
     Prediction result;
     result.shape = own < -512 ? 0 : own >= 3584 ? 63 : (own + 512) >> 6;
     int64_t sum = 0;
-    int32_t weight = 0;
-    std::array<int32_t, D> lever{};  // of weight · offset
+    uint64_t packed = 0;
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
     constexpr std::size_t kCount = OnlyBefore ? kAround.size() / 2 : kAround.size();
     for (std::size_t i = 0; i < kCount; ++i) {
       const Neighbour& n = kAround[i];
       const int32_t value = here[n.offset];
-      const int32_t known = value == Scalars<D>::kUnknown ? 0 : -1;
-      sum += int64_t{value & known} * n.weight;
-      weight += n.weight & known;
-      for (int a = 0; a < D; ++a) lever[a] += n.lever[a] & known;
+      const int64_t known = value == Scalars<D>::kUnknown ? 0 : -1;
+      sum += value * (n.weight & known);
+      packed += n.packed & static_cast<uint64_t>(known);
     }
+    const auto weight = static_cast<int32_t>(packed & 0xFF);
     if (weight == 0) {
       result.magnitude = own <= 0 ? 0 : own * steps / ShapeEstimate<D>::kPlaneSum;
       return result;
     }
     int64_t tilt = 0;
-    for (int a = 0; a < D; ++a) tilt += int64_t{estimate.slope[a]} * lever[a];
+    for (int a = 0; a < D; ++a) tilt += int64_t{estimate.slope[a]} * (static_cast<int32_t>(packed >> (8 + 8 * a) & 0xFF) - weight);
     sum -= tilt * steps / ShapeEstimate<D>::kPlaneSlope;
     const int64_t mean = (positive ? sum : -sum) / weight;
     result.magnitude = mean < 0 ? 0 : mean;
@@ -50,8 +49,8 @@ struct Prediction {
  private:
   struct Neighbour {
     int offset = 0;
-    int32_t weight = 0;
-    std::array<int32_t, D> lever{};
+    int64_t weight = 0;
+    uint64_t packed = 0;  // a byte for the weight, then for each axis one for weight · (1 + offset): never negative
   };
   /// The 3^D - 1 vertices around, in the order of rows: the first half comes before.
   static constexpr std::array<Neighbour, power(3, D) - 1> kAround = [] {
@@ -63,9 +62,10 @@ struct Prediction {
       for (int a = 0; a < D; ++a) squares += d[a] * d[a];
       if (squares != 0) {
         all[i].weight = squares == 1 ? 4 : squares == 2 ? 2 : 1;
+        all[i].packed = static_cast<uint64_t>(all[i].weight);
         for (int a = 0; a < D; ++a) {
           all[i].offset += d[a] * ScalarWindow<D>::stride(a);
-          all[i].lever[a] = d[a] * all[i].weight;
+          all[i].packed |= static_cast<uint64_t>(all[i].weight * (1 + d[a])) << (8 + 8 * a);
         }
         ++i;
       }

@@ -1,6 +1,7 @@
 // Where the signs alone put the surface: a weighed sum of the signs around a vertex, and its gradient.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -8,7 +9,7 @@
 
 namespace isostar {
 
-/// Gaussian weights over the 5^D vertices around, one table look-up a row of five.
+/// Gaussian weights over the 5^D vertices around, one look-up for each row of five.
 template <int D>
 class ShapeEstimate {
  public:
@@ -19,27 +20,21 @@ class ShapeEstimate {
 
   /// At bit `at` (x + kHalo) of a window's row.
   [[nodiscard]] static Value of(const Window<D>& window, int row, int at) {
+    const uint16_t* here = &window.rows[row];
+    // Of each row of five: weight · sign in the low half, weight · sign · x in the high half.
+    std::array<int32_t, kFives> fives;
+    int32_t total = 0;
+    for (std::size_t n = 0; n < kFives; ++n) {
+      fives[n] = kTable[kFive[n].squares][static_cast<unsigned>(here[kFive[n].row]) >> (at - 2) & 31];
+      total += fives[n];
+    }
     Value value;
-    const int shift = at - 2;
-    std::array<int, D> d{};
-    d.fill(-2);
-    int here = row;
-    for (int a = 1; a < D; ++a) here -= 2 * Window<D>::rowStride(a);
-    for (std::size_t n = 0; n < power(5, D - 1); ++n) {
-      const uint32_t five = static_cast<uint32_t>(window.rows[here]) >> shift & 31;
-      const Entry& entry = kTable[n][five];
-      value.sum += entry.sum;
-      value.slope[0] += entry.slope;
-      for (int a = 1; a < D; ++a) value.slope[a] += entry.sum * d[a];
-      ++here;
-      if (D > 1) {
-        ++d[1];
-        for (int a = 1; a < D - 1 && d[a] == 3; ++a) {
-          d[a] = -2;
-          here += Window<D>::rowStride(a + 1) - 5 * Window<D>::rowStride(a);
-          ++d[a + 1];
-        }
-      }
+    value.sum = static_cast<int16_t>(total);
+    value.slope[0] = (total - value.sum) >> 16;
+    for (int a = 1; a < D; ++a) {
+      int32_t slope = 0;
+      for (std::size_t n = 0; n < kFives; ++n) slope += static_cast<int16_t>(fives[n]) * kFive[n].d[a];
+      value.slope[a] = slope;
     }
     return value;
   }
@@ -50,27 +45,44 @@ class ShapeEstimate {
   static constexpr int32_t kPlaneSum = 2900;
 
  private:
-  struct Entry {
-    int16_t sum = 0, slope = 0;
-  };
-  /// 256 e^(-d²/2) by squared distance.
-  static constexpr std::array<int, 17> kWeight{256, 155, 94, 57, 35, 21, 13, 8, 5, 3, 2, 1, 1, 0, 0, 0, 0};
+  static constexpr std::size_t kFives = power(5, D - 1);
 
-  static constexpr std::array<std::array<Entry, 32>, power(5, D - 1)> kTable = [] {
-    std::array<std::array<Entry, 32>, power(5, D - 1)> table{};
+  struct Five {
+    int16_t row = 0;
+    uint16_t squares = 0;  // its squared distance, without x
+    std::array<int16_t, D> d{};
+  };
+  static constexpr std::array<Five, kFives> kFive = [] {
+    std::array<Five, kFives> all{};
     std::array<int, D> d{};
     d.fill(-2);
-    for (std::size_t n = 0; n < power(5, D - 1); ++n) {
-      for (unsigned bits = 0; bits < 32; ++bits) {
-        for (int x = -2; x <= 2; ++x) {
-          int squares = x * x;
-          for (int a = 1; a < D; ++a) squares += d[a] * d[a];
-          const int weight = kWeight[static_cast<std::size_t>(squares > 16 ? 16 : squares)] * ((bits >> (x + 2) & 1) != 0 ? 1 : -1);
-          table[n][bits].sum = static_cast<int16_t>(table[n][bits].sum + weight);
-          table[n][bits].slope = static_cast<int16_t>(table[n][bits].slope + weight * x);
-        }
+    for (Five& five : all) {
+      for (int a = 1; a < D; ++a) {
+        five.row = static_cast<int16_t>(five.row + d[a] * Window<D>::rowStride(a));
+        five.squares = static_cast<uint16_t>(five.squares + d[a] * d[a]);
+        five.d[a] = static_cast<int16_t>(d[a]);
       }
       for (int a = 1; a < D && ++d[a] == 3; ++a) d[a] = -2;
+    }
+    return all;
+  }();
+
+  /// 256 e^(-d²/2) by squared distance.
+  static constexpr std::array<int, 14> kWeight{256, 155, 94, 57, 35, 21, 13, 8, 5, 3, 2, 1, 1, 0};
+
+  /// By squared distance of the row and its five signs.
+  static constexpr std::array<std::array<int32_t, 32>, 4 * (D - 1) + 1> kTable = [] {
+    std::array<std::array<int32_t, 32>, 4 * (D - 1) + 1> table{};
+    for (int squares = 0; squares <= 4 * (D - 1); ++squares) {
+      for (unsigned bits = 0; bits < 32; ++bits) {
+        int sum = 0, slope = 0;
+        for (int x = -2; x <= 2; ++x) {
+          const int weight = kWeight[static_cast<std::size_t>(std::min(squares + x * x, 13))];
+          sum += (bits >> (x + 2) & 1) != 0 ? weight : -weight;
+          slope += (bits >> (x + 2) & 1) != 0 ? weight * x : -weight * x;
+        }
+        table[static_cast<std::size_t>(squares)][bits] = slope * 65536 + sum;
+      }
     }
     return table;
   }();
