@@ -10,32 +10,42 @@ const SKULL = {
   package: 'invesalius-examples',
   file: 'usr/share/doc/invesalius-examples/examples/Cranium.inv3',
   member: 'matrix.dat',  // the project file is a gzipped tar
-  options: ['--size', '256,256,108', '--type', 'i16', '--spacing', '0.957,0.957,1.5'],
+  // Rows run from the back of the head to its front, the other way round than DICOM's.
+  header: `NRRD0005
+type: int16
+dimension: 3
+sizes: 256 256 108
+space: left-posterior-superior
+space directions: (0.957,0,0) (0,-0.957,0) (0,0,1.5)
+space origin: (0,0,0)
+endian: little
+encoding: raw
+`,
   credit: 'CT, 256×256×108 samples, 0.957×0.957×1.5 mm. From Debian’s invesalius-examples, GPL-2.',
 };
 const HEAD = {
   package: 'mricron-data',
   file: 'usr/share/mricron/templates/ch2.nii.gz',
-  options: [],
   credit: 'MRI, 181×217×181 samples, 1 mm. From Debian’s mricron-data.',
 };
 const SURFACES = [
   { id: 'skull-bone', title: 'Skull, bone (CT)', scan: SKULL, isovalue: 226.5, orbit: [-32, 10] },
   { id: 'skull-skin', title: 'Skull, skin (CT)', scan: SKULL, isovalue: -400.5, orbit: [-32, 10] },
-  { id: 'head-skin', title: 'Head, skin (MRI)', scan: HEAD, isovalue: 30.5, orbit: [148, 10] },
+  { id: 'head-skin', title: 'Head, skin (MRI)', scan: HEAD, isovalue: 30.5, orbit: [-32, 10] },
 ];
 
 const run = (command, ...options) => execFileSync(command, options, { stdio: ['ignore', 'pipe', 'inherit'], encoding: 'utf8', maxBuffer: 1e8 });
 const isNewer = (file, than) => existsSync(file) && statSync(file).mtimeMs >= statSync(than).mtimeMs;
 
 /** The scan's volume file: the installed one, or the package's own, fetched and unpacked here without being installed. */
-function volumeOf({ package: name, file, member }, cache) {
+function volumeOf({ package: name, file, member, header }, cache) {
   let path = join('/', file);
   if (!existsSync(path)) path = join(cache, name, file);
   if (!existsSync(path)) unpack(name, join(cache, name));
   if (!member) return path;
-  const volume = join(cache, `${name}-${member}`);
-  if (!existsSync(volume)) writeFileSync(volume, execFileSync('tar', ['-xzOf', path, '--wildcards', `*/${member}`], { maxBuffer: 1e9 }));
+  const volume = join(cache, `${name}.nhdr`);
+  writeFileSync(join(cache, member), execFileSync('tar', ['-xzOf', path, '--wildcards', `*/${member}`], { maxBuffer: 1e9 }));
+  writeFileSync(volume, `${header}data file: ${member}\n`);
   return volume;
 }
 
@@ -72,7 +82,7 @@ function make(surface, isostar, folder, cache) {
   if (!isNewer(entry, isostar)) {
     console.log(`encoding ${title}`);
     const volume = volumeOf(scan, cache);
-    const encode = (out, ...options) => run(isostar, 'encode', volume, out, '--iso', String(isovalue), ...scan.options, ...options);
+    const encode = (out, ...options) => run(isostar, 'encode', volume, out, '--iso', String(isovalue), ...options);
     encode(stream);
     const lossless = join(cache, `${id}-lossless.isostar`);
     encode(lossless, '--lossless');

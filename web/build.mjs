@@ -15,7 +15,8 @@ const { metafile } = await build({
   outdir: 'dist',
   bundle: true,
   splitting: true,
-  minify: true,
+  minifySyntax: true,
+  minifyIdentifiers: true,  // but not white space: a page's or Node's error message shows the line
   metafile: true,
   format: 'esm',
   target: 'es2022',

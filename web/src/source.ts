@@ -7,10 +7,13 @@ type Piece = Uint8Array<ArrayBufferLike>;
 export function piecesOf(source: Source): AsyncIterator<Piece> {
   if (source instanceof Uint8Array) return once(source);
   if (typeof Response !== 'undefined' && source instanceof Response) return piecesOfResponse(source);
-  if (source && 'getReader' in source) return piecesOfStream(source);
-  if (source && Symbol.asyncIterator in source) return source[Symbol.asyncIterator]();
-  throw new IsostarError('BadArgument', 'a source is a ReadableStream, an AsyncIterable, a Uint8Array or a Response');
+  if (!source || typeof source !== 'object') throw noSource();
+  if ('getReader' in source) return piecesOfStream(source);
+  if (Symbol.asyncIterator in source) return source[Symbol.asyncIterator]();
+  throw noSource();
 }
+
+const noSource = () => new IsostarError('BadArgument', 'a source is a ReadableStream, an AsyncIterable, a Uint8Array or a Response');
 
 async function* once(bytes: Piece): AsyncGenerator<Piece> {
   yield bytes;

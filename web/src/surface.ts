@@ -30,6 +30,7 @@ export interface StreamInfo {
   /** Of the complete surface that `cubes` makes. */
   readonly vertices: number;
   readonly headerBytes: number;
+  /** Of the layers whose heads have arrived: the stream's length from its last surface on. */
   readonly bytes: number;
   readonly layers: readonly Layer[];
 }

@@ -1,20 +1,18 @@
 import { throttle } from './throttle.ts';
 
 export interface Origin {
-  readonly name: string;
-  open(signal: AbortSignal): Promise<ReadableStream<Uint8Array>>;
+  open(signal: AbortSignal): Promise<{ stream: ReadableStream<Uint8Array>; total: number | undefined }>;
 }
 
 export const fromAddress = (address: string): Origin => ({
-  name: address.slice(address.lastIndexOf('/') + 1),
   async open(signal) {
     const response = await fetch(address, { signal });
     if (!response.ok || !response.body) throw new Error(`${address} answers ${response.status} ${response.statusText}`);
-    return response.body;
+    return { stream: response.body, total: Number(response.headers.get('Content-Length')) || undefined };
   },
 });
 
-export const fromFile = (file: File): Origin => ({ name: file.name, open: async () => file.stream() });
+export const fromFile = (file: File): Origin => ({ open: async () => ({ stream: file.stream(), total: file.size }) });
 
 /** A transfer whose bytes are kept, so that any prefix can be decoded again while the rest still arrives. */
 export class Download {
@@ -22,6 +20,7 @@ export class Download {
   readonly #ended: Promise<void>;
   #bytes = new Uint8Array(1 << 16);
   #length = 0;
+  #total: number | undefined;
   #isOver = false;
   #failure: { readonly reason: unknown } | undefined;
   #wake: (() => void)[] = [];
@@ -32,6 +31,11 @@ export class Download {
 
   get length(): number {
     return this.#length;
+  }
+
+  /** Of all its bytes, where that is known. */
+  get total(): number | undefined {
+    return this.#isOver ? this.#length : this.#total;
   }
 
   get isOver(): boolean {
@@ -68,7 +72,8 @@ export class Download {
   async #receive(origin: Origin, bitsPerSecond: number): Promise<void> {
     const { signal } = this.#controller;
     try {
-      const stream = await origin.open(signal);
+      const { stream, total } = await origin.open(signal);
+      this.#total = total;
       const paced = Number.isFinite(bitsPerSecond) ? stream.pipeThrough(throttle(bitsPerSecond), { signal }) : stream;
       const reader = paced.getReader();
       for (let next = await reader.read(); !next.done; next = await reader.read()) {

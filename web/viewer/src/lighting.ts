@@ -3,11 +3,11 @@ import { Color, DirectionalLight, HemisphereLight, Object3D } from 'three';
 /** A studio that travels with the camera: warm key from the upper left, cool fill, two rims from behind. */
 export function studio(): Object3D {
   const lights = new Object3D();
-  lights.add(light('#fff1dc', 2.5, -3, 4, 4));
-  lights.add(light('#a9c4ff', 0.55, 5, -1, 3));
+  lights.add(light('#fff3e2', 3.3, -3, 4, 4));
+  lights.add(light('#b9ccf5', 0.8, 5, -1, 3));
   lights.add(light('#ffd9b0', 1.1, 4, 3, -5));
   lights.add(light('#8fb4ff', 0.9, -5, -2, -4));
-  const sky = new HemisphereLight('#c9d6ea', '#3a3029', 0.6);
+  const sky = new HemisphereLight('#d5deec', '#4a3d33', 0.9);
   lights.add(sky);
   return lights;
 }

@@ -26,12 +26,12 @@ export class Side {
   }
 
   /** A new contest begins. */
-  begin(begin: number, download: Download | undefined, figures: Figures): void {
+  begin(begin: number, download: Download | undefined): void {
     this.#download?.cancel();
     this.#download = download;
     this.#begin = begin;
-    this.#figures = figures;
-    this.#statistics.show(this.name, figures);
+    this.#figures = {};
+    this.#statistics.show(this.name, this.#figures);
     this.tick();
   }
 
@@ -50,7 +50,7 @@ export class Side {
   /** Brings the caption up to date. */
   tick(): void {
     const received = this.#download?.length ?? 0;
-    const total = this.#figures.totalBytes;
+    const total = this.#download?.total;
     this.#caption.querySelector('progress')!.value = total ? Math.min(1, received / total) : 0;
     this.#caption.querySelector('[data-role=state]')!.textContent = this.#state(received, total);
   }

@@ -3,7 +3,6 @@ import { bytes, duration, integer, short } from './format.ts';
 /** What is known of one side so far; what is not known yet is missing. */
 export interface Figures {
   bytes?: number;
-  totalBytes?: number;
   /** Of the surface that marching cubes makes: bits are counted per vertex of it, on both sides. */
   sourceVertices?: number;
   error?: number;
@@ -58,23 +57,18 @@ export class Statistics {
     for (const [key, , , value] of ROWS) this.#cells.get(`${side}-${key}`)!.textContent = value(figures) ?? '–';
   }
 
-  /** The two files beside each other, when both sizes are known. */
-  compare(isostar: Figures, draco: Figures): void {
-    const ours = isostar.totalBytes;
-    const theirs = draco.totalBytes;
-    this.#headline.hidden = ours === undefined || theirs === undefined;
-    if (ours === undefined || theirs === undefined) return;
-    const larger = Math.max(ours, theirs);
-    for (const [side, size] of [['isostar', ours], ['draco', theirs]] as const) {
+  /** The two files beside each other; `first`: when either showed something. */
+  compare(sizes: { isostar: number; draco: number } | undefined, ourFirst?: number, theirFirst?: number): void {
+    this.#headline.hidden = !sizes;
+    if (!sizes) return;
+    const { isostar, draco } = sizes;
+    for (const [side, size] of Object.entries(sizes)) {
       this.#headline.querySelector(`[data-size=${side}]`)!.textContent = bytes(size);
-      this.#headline.querySelector<HTMLElement>(`[data-bar=${side}]`)!.style.transform = `scaleX(${size / larger})`;
+      this.#headline.querySelector<HTMLElement>(`[data-bar=${side}]`)!.style.transform = `scaleX(${size / Math.max(isostar, draco)})`;
     }
     const ratio = this.#headline.querySelector('[data-role=ratio]')!;
-    ratio.textContent = ours < theirs ? `${short(theirs / ours)}× smaller` : `${short(ours / theirs)}× larger`;
-    if (isostar.first === undefined || draco.first === undefined || isostar.first > 0.95 * draco.first) return;
-    const sooner = Object.assign(document.createElement('small'), {
-      textContent: `first surface ${short(draco.first / isostar.first)}× sooner`,
-    });
-    ratio.append(sooner);
+    ratio.textContent = isostar < draco ? `${short(draco / isostar)}× smaller` : `${short(isostar / draco)}× larger`;
+    if (ourFirst === undefined || theirFirst === undefined || ourFirst > 0.95 * theirFirst) return;
+    ratio.append(Object.assign(document.createElement('small'), { textContent: `first surface ${short(theirFirst / ourFirst)}× sooner` }));
   }
 }

@@ -29,16 +29,21 @@ export class Timeline {
     this.#draw();
   }
 
-  receive(count: number): void {
+  /** `total`: of the whole stream, where it is known already. */
+  receive(count: number, total: number | undefined): void {
     this.#received = count;
+    if (total !== undefined && total !== this.#total) {
+      this.#total = total;
+      this.#drawTicks();
+    }
     this.#draw();
   }
 
   /** `isLive`: the surface follows the bytes, not the hand on the slider. */
   show({ bytes: shown, info, level, levels, final }: Surface, isLive: boolean): void {
     this.#shown = shown;
-    if (info.bytes !== this.#total || info.layers.length > this.#layers.length) {
-      this.#total = info.bytes;
+    if (info.layers.length > this.#layers.length) {
+      this.#total = Math.max(this.#total, info.bytes);
       this.#layers = info.layers;
       this.#drawTicks();
     }

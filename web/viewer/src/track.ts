@@ -18,6 +18,7 @@ export class Track {
   #download: Download | undefined;
   #prefix: number | undefined;
   #run = new AbortController();
+  #pending: { surface: Surface; isLive: boolean } | undefined;
 
   constructor(events: TrackEvents) {
     this.#events = events;
@@ -48,6 +49,7 @@ export class Track {
   async #restart(delay = 0): Promise<void> {
     this.#run.abort();
     this.#run = new AbortController();
+    this.#pending = undefined;
     const { signal } = this.#run;
     if (delay) await new Promise((resolve) => setTimeout(resolve, delay));
     const download = this.#download;
@@ -59,14 +61,23 @@ export class Track {
 
   async #show(source: Source, options: DecodeOptions & { signal: AbortSignal }, isLive: boolean): Promise<void> {
     try {
-      for await (const surface of (await this.#decoder).decode(source, options)) {
-        await idle();
-        options.signal.throwIfAborted();
-        this.#events.surface(surface, isLive);
-      }
+      for await (const surface of (await this.#decoder).decode(source, options)) this.#present(surface, isLive);
     } catch (reason) {
       const isPrefixEnd = !isLive && reason instanceof IsostarError && reason.code === 'Truncated';
       if (!options.signal.aborted && !isPrefixEnd) this.#events.failure(reason);
     }
+  }
+
+  /** Hands the surface on when the page is idle: of several by then only the newest. */
+  #present(surface: Surface, isLive: boolean): void {
+    const isWaiting = this.#pending !== undefined;
+    this.#pending = { surface, isLive };
+    if (!isWaiting) void idle().then(() => this.#presentPending());
+  }
+
+  #presentPending(): void {
+    const pending = this.#pending;
+    this.#pending = undefined;
+    if (pending) this.#events.surface(pending.surface, pending.isLive);
   }
 }

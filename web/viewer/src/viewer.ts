@@ -61,10 +61,10 @@ export class Viewer {
     const begin = performance.now();
     const draco = this.#isSplit ? this.#sample?.draco : undefined;
     const download = new Download(origin, this.#bitsPerSecond);
-    this.#ours.begin(begin, download, { totalBytes: this.#sample?.bytes });
-    this.#theirs.begin(begin, draco && new Download(fromAddress(draco.file), this.#bitsPerSecond), { totalBytes: draco?.bytes });
+    this.#ours.begin(begin, download);
+    this.#theirs.begin(begin, draco && new Download(fromAddress(draco.file), this.#bitsPerSecond));
     this.#track.play(download);
-    this.#statistics.compare(this.#ours.figures, this.#theirs.figures);
+    this.#compare();
     if (draco) await this.#playDraco(contest);
   }
 
@@ -103,10 +103,10 @@ export class Viewer {
     this.stage.show(0, surface);
     this.#frameOnce(surface);
     this.#timeline.show(surface, isLive);
+    this.#tick();
     const { info, milliseconds } = surface;
     this.#ours.learn({
       bytes: surface.bytes,
-      totalBytes: info.bytes,
       sourceVertices: info.vertices,
       error: surface.error,
       level: `${surface.level + 1} of ${surface.levels}`,
@@ -127,7 +127,7 @@ export class Viewer {
     if (contest !== this.#contest) return;
     const now = this.#ours.elapsed();
     this.#ours.learn({ first: first ?? now, ...(final && { complete: complete ?? now }) });
-    this.#statistics.compare(this.#ours.figures, this.#theirs.figures);
+    this.#compare();
   }
 
   async #playDraco(contest: number): Promise<void> {
@@ -150,10 +150,15 @@ export class Viewer {
         decode: surface.milliseconds.decode,
         polygonize: surface.milliseconds.normals,
       });
-      this.#statistics.compare(this.#ours.figures, this.#theirs.figures);
+      this.#compare();
     } catch (reason) {
       if (contest === this.#contest) this.say(reasonOf(reason));
     }
+  }
+
+  #compare(): void {
+    const sizes = this.#sample?.draco && { isostar: this.#sample.bytes, draco: this.#sample.draco.bytes };
+    this.#statistics.compare(this.#isSplit ? sizes : undefined, this.#ours.figures.first, this.#theirs.figures.first);
   }
 
   /** The camera is set once a subject: a replay leaves it where it is. */
@@ -166,7 +171,7 @@ export class Viewer {
   #tick(): void {
     this.#ours.tick();
     this.#theirs.tick();
-    this.#timeline.receive(this.#ours.download?.length ?? 0);
+    if (this.#ours.download) this.#timeline.receive(this.#ours.download.length, this.#ours.download.total);
   }
 }
 

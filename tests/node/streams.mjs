@@ -1,0 +1,50 @@
+// Streams for tests: small synthetic volumes, encoded by the freshly built command line.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const CLI = fileURLToPath(new URL('../../build/isostar', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'isostar-test-'));
+process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+
+/** Runs the command line and returns what it prints. */
+export const isostar = (...options) => execFileSync(CLI, options, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+
+/** A field sampled at (i,j,k), x fastest, encoded at isovalue 0; the result is the stream's path. */
+export function encodeField(name, [nx, ny, nz], field, ...options) {
+  const samples = new Float32Array(nx * ny * nz);
+  let n = 0;
+  for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) samples[n++] = field(i, j, k);
+  const volume = join(folder, `${name}.raw`);
+  const stream = join(folder, `${name}.isostar`);
+  writeFileSync(volume, samples);
+  isostar('encode', volume, stream, '--iso', '0', '--size', `${nx},${ny},${nz}`, '--type', 'f32', ...options);
+  return stream;
+}
+
+const ball = (size) => (i, j, k) => 0.4 * size - Math.hypot(i - size / 2, j - size / 2, k - size / 2) + 0.01;
+const gyroid = (period) => (i, j, k) => {
+  const [x, y, z] = [i, j, k].map((c) => (2 * Math.PI * c) / period);
+  return Math.sin(x) * Math.cos(y) + Math.sin(y) * Math.cos(z) + Math.sin(z) * Math.cos(x) + 0.123;
+};
+
+/** Some hundred bytes: every prefix of it can be tried. */
+export const ballStream = () => encodeField('ball', [17, 15, 16], ball(15));
+/** Many levels and some ten kilobytes. */
+export const gyroidStream = () => encodeField('gyroid', [64, 60, 50], gyroid(25), '--spacing', '0.5,1,2');
+export const emptyStream = () => encodeField('empty', [9, 9, 9], () => -1);
+
+export const read = (stream) => new Uint8Array(readFileSync(stream));
+
+/** The same bytes in pieces of so many. */
+export async function* inPieces(bytes, length) {
+  for (let at = 0; at < bytes.length; at += length) yield bytes.subarray(at, at + length);
+}
+
+export async function all(surfaces) {
+  const list = [];
+  for await (const surface of surfaces) list.push(surface);
+  return list;
+}

@@ -1,0 +1,26 @@
+// Compiled, never run: the package as a stranger's strict TypeScript sees it.
+import { createDecoder, IsostarError, type Decoder, type IsostarErrorCode, type Surface } from 'isostar';
+import { IsostarLoader } from 'isostar/three';
+import type { IsostarSurfaceElement } from 'isostar/element';
+import type { BufferGeometry } from 'three';
+
+const decoder: Decoder = await createDecoder({ worker: false, wasm: new URL('https://example.org/decoder.wasm') });
+const response = await fetch('skull.isostar');
+try {
+  for await (const surface of decoder.decode(response, { signal: AbortSignal.timeout(1000), polygonizer: 'tetrahedra', isovalue: 1 })) {
+    const { positions, indices, info, error, final }: Surface = surface;
+    console.log(positions.length + indices.length + info.size[2] + error, final, info.layers[0]?.kind === 'base');
+  }
+} catch (reason) {
+  if (reason instanceof IsostarError) console.log(reason.code satisfies IsostarErrorCode);
+}
+// @ts-expect-error: not a polygonizer
+decoder.decode(new Uint8Array(), { polygonizer: 'pyramids' });
+decoder.dispose();
+
+const loader = new IsostarLoader().setPath('samples/').setSurfaceOptions({ frame: 'grid' });
+const geometry: BufferGeometry = await loader.loadAsync('skull.isostar', ({ surface, loaded }) => console.log(surface.level, loaded));
+console.log(geometry);
+
+declare const element: IsostarSurfaceElement;
+element.src = 'skull.isostar';
