@@ -8,4 +8,4 @@ npx tsc -p web --noEmit
 npx tsc -p web/viewer --noEmit
 npx tsc -p tests/node --noEmit
 node --test tests/node/*.test.mjs
-node --test tests/browser/*.test.mjs
+node --test --test-concurrency=1 --test-timeout=120000 tests/browser/*.test.mjs  # two browsers at once would slow each other

@@ -1,4 +1,4 @@
-import { Box3, Fog, NeutralToneMapping, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
+import { Box3, Fog, NeutralToneMapping, Scene, Sphere, Vector2, Vector3, WebGLRenderer } from 'three';
 import { Camera } from './camera.ts';
 import { studio } from './lighting.ts';
 import { Pane, type Shape } from './pane.ts';
@@ -83,8 +83,9 @@ export class Stage {
   #resize(): void {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.setSize(width, height, false);
+    const ratio = Math.min(devicePixelRatio, 2);
+    const { x, y } = this.#renderer.getSize(new Vector2());
+    if (x !== width || y !== height || ratio !== this.#renderer.getPixelRatio()) this.#renderer.setDrawingBufferSize(width, height, ratio);
     this.#camera.setAspect((this.#isSplit ? width / 2 : width) / height);
     this.#draw();
   }
