@@ -4,10 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <thread>
 #include <vector>
-
-#include "measure/triangle_tree.h"
 
 namespace isostar::measure {
 namespace {
@@ -64,10 +63,12 @@ std::vector<double> areasBefore(const TriangleTree& tree) {
 /// One direction of the measurement, cut into chunks that any thread may take.
 class Direction {
  public:
-  Direction(const Mesh& from, const TriangleTree& fromTree, const TriangleTree& to)
-      : mesh_(from), tree_(fromTree), to_(to), areas_(areasBefore(fromTree)), chunks_(kChunks) {
-    points_ = std::max(kFewestPoints, mesh_.positions.size() / 3);
-    used_.resize(mesh_.positions.size() / 3);
+  Direction(const Measurable& from, const Measurable& to, size_t mostPoints)
+      : mesh_(from.mesh), tree_(from.tree), to_(to.tree), areas_(areasBefore(from.tree)), chunks_(kChunks) {
+    const size_t vertices = mesh_.positions.size() / 3;
+    points_ = std::min(mostPoints, std::max(kFewestPoints, vertices));
+    every_ = (vertices - 1) / mostPoints + 1;
+    used_.resize(vertices);
     for (uint32_t vertex : mesh_.triangles) used_[vertex] = 1;
   }
 
@@ -88,7 +89,7 @@ class Direction {
 
   void measureVertices(size_t chunk) {
     uint32_t near = 0;
-    for (size_t v = boundary(used_.size(), chunk); v < boundary(used_.size(), chunk + 1); ++v) {
+    for (size_t v = boundary(used_.size(), chunk); v < boundary(used_.size(), chunk + 1); v += every_) {
       if (used_[v]) chunks_[chunk].max = std::max(chunks_[chunk].max, to_.distance(vertexAt(mesh_.positions, v), near));
     }
   }
@@ -124,6 +125,7 @@ class Direction {
   std::vector<Sums> chunks_;
   std::vector<uint8_t> used_;
   size_t points_ = 0;
+  size_t every_ = 1;  // how many vertices share one that is measured
 };
 
 }  // namespace
@@ -132,13 +134,19 @@ Distance SurfaceDistance::symmetric() const {
   return {std::max(aToB.mean, bToA.mean), std::max(aToB.rms, bToA.rms), std::max(aToB.max, bToA.max)};
 }
 
+Measurable::Measurable(const Mesh& measured) : mesh(measured), tree(measured) {}
+
+SurfaceDistance surfaceDistance(const Measurable& a, const Measurable& b, size_t points) {
+  Direction aToB(a, b, points), bToA(b, a, points);
+  inParallel(2 * kChunks, [&](size_t task) { task < kChunks ? aToB.measure(task) : bToA.measure(task - kChunks); });
+  return {aToB.result(), bToA.result()};
+}
+
 std::optional<SurfaceDistance> surfaceDistance(const Mesh& a, const Mesh& b) {
   if (a.triangles.empty() || b.triangles.empty()) return {};
-  std::optional<TriangleTree> treeA, treeB;
-  inParallel(2, [&](size_t which) { which == 0 ? treeA.emplace(a) : treeB.emplace(b); });
-  Direction aToB(a, *treeA, *treeB), bToA(b, *treeB, *treeA);
-  inParallel(2 * kChunks, [&](size_t task) { task < kChunks ? aToB.measure(task) : bToA.measure(task - kChunks); });
-  return SurfaceDistance{aToB.result(), bToA.result()};
+  std::optional<Measurable> readyA, readyB;
+  inParallel(2, [&](size_t which) { which == 0 ? readyA.emplace(a) : readyB.emplace(b); });
+  return surfaceDistance(*readyA, *readyB, std::numeric_limits<size_t>::max());
 }
 
 }  // namespace isostar::measure

@@ -1,7 +1,6 @@
 #include "measure/triangle_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace isostar::measure {
@@ -9,6 +8,8 @@ namespace {
 
 constexpr double kCurveSteps = 1 << 21;  // along each axis: three of them fill a 64-bit key
 constexpr float kFar = INFINITY;
+constexpr float kRounding = 4e-7f;       // more than single precision can lose of a coordinate
+constexpr float kShortened = 1 - 1e-5f;  // and of a distance far outside
 
 /// The bits of a 21-bit number, two places apart from each other.
 uint64_t spread(uint64_t bits) {
@@ -21,18 +22,15 @@ uint64_t spread(uint64_t bits) {
 
 }  // namespace
 
-void TriangleTree::Box::cover(const Box& other) {
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = std::min(low[axis], other.low[axis]);
-    high[axis] = std::max(high[axis], other.high[axis]);
+inline TriangleTree::Lanes TriangleTree::Fan::squaredDistances(const std::array<float, 3>& point) const {
+  Lanes sums{};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const Lanes below = low[axis] - point[axis], above = point[axis] - high[axis];
+    Lanes outside = below > above ? below : above;
+    outside = outside > 0 ? outside : Lanes{};
+    sums += outside * outside;
   }
-}
-
-double TriangleTree::Box::squaredDistance(const Vector3& p) const {
-  const double x = std::max({low[0] - p.x, p.x - high[0], 0.0});
-  const double y = std::max({low[1] - p.y, p.y - high[1], 0.0});
-  const double z = std::max({low[2] - p.z, p.z - high[2], 0.0});
-  return x * x + y * y + z * z;
+  return sums;
 }
 
 TriangleTree::TriangleTree(const Mesh& mesh) : triangles_(mesh.triangles.size() / 3) {
@@ -41,7 +39,7 @@ TriangleTree::TriangleTree(const Mesh& mesh) : triangles_(mesh.triangles.size() 
       std::copy_n(&mesh.positions[3 * size_t{mesh.triangles[3 * t + corner]}], 3, &triangles_[t][3 * corner]);
   }
   sortAlongCurve();
-  buildBoxes();
+  buildFans();
 }
 
 Triangle TriangleTree::triangle(size_t place) const {
@@ -90,47 +88,72 @@ TriangleTree::Box TriangleTree::boxOfRun(size_t run) const {
   return box;
 }
 
-void TriangleTree::buildBoxes() {
-  leaves_ = std::bit_ceil(std::max<size_t>(1, (triangles_.size() + kRun - 1) / kRun));
-  boxes_.resize(2 * leaves_);
-  for (size_t run = 0; run < leaves_; ++run) boxes_[leaves_ + run] = boxOfRun(run);
-  for (size_t node = leaves_ - 1; node > 0; --node) {
-    boxes_[node] = boxes_[2 * node];
-    boxes_[node].cover(boxes_[2 * node + 1]);
+TriangleTree::Box TriangleTree::boxAround(const Fan& fan) const {
+  Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    for (size_t child = 0; child < kFan; ++child) {
+      box.low[axis] = std::min(box.low[axis], fan.low[axis][child]);
+      box.high[axis] = std::max(box.high[axis], fan.high[axis][child]);
+    }
+  }
+  return box;
+}
+
+void TriangleTree::buildFans() {
+  size_t runs = kFan;
+  while (runs * kRun < triangles_.size()) runs *= kFan;
+  fans_.resize((runs - 1) / (kFan - 1));
+  for (size_t node = fans_.size() + runs; node-- > 1;) {
+    const Box box = node >= fans_.size() ? boxOfRun(node - fans_.size()) : boxAround(fans_[node]);
+    Fan& parent = fans_[(node - 1) / kFan];
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const float reach = std::max(std::abs(box.low[axis]), std::abs(box.high[axis]));
+      const float rounding = reach < kFar ? kRounding * reach : 0;  // an empty run is infinitely far and stays there
+      parent.low[axis][(node - 1) % kFan] = box.low[axis] - rounding;
+      parent.high[axis][(node - 1) % kFan] = box.high[axis] + rounding;
+    }
+  }
+}
+
+void TriangleTree::searchRun(size_t run, const Vector3& point, double& best, uint32_t& near) const {
+  const size_t end = std::min(triangles_.size(), kRun * (run + 1));
+  for (size_t t = kRun * run; t < end; ++t) {
+    const double found = squaredDistance(point, triangle(t));
+    if (found >= best) continue;
+    best = found;
+    near = static_cast<uint32_t>(t);
   }
 }
 
 double TriangleTree::distance(const Vector3& point, uint32_t& near) const {
   near = std::min<uint32_t>(near, static_cast<uint32_t>(triangles_.size() - 1));
   double best = squaredDistance(point, triangle(near));
+  const std::array<float, 3> rounded = {static_cast<float>(point.x), static_cast<float>(point.y),
+                                        static_cast<float>(point.z)};
   struct Waiting {
     size_t node;
-    double distance;
+    float distance;
   };
-  std::array<Waiting, 64> waiting;  // one a level of the tree
-  size_t count = 0;
-  for (Waiting at{1, 0};;) {
-    if (at.distance < best && at.node < leaves_) {
-      Waiting first{2 * at.node, boxes_[2 * at.node].squaredDistance(point)};
-      Waiting second{2 * at.node + 1, boxes_[2 * at.node + 1].squaredDistance(point)};
-      if (second.distance < first.distance) std::swap(first, second);
-      if (second.distance < best) waiting[count++] = second;
-      at = first;
+  std::array<Waiting, 64> waiting;  // three a level of the tree, the nearest last
+  waiting[0] = {0, 0};
+  for (size_t count = 1; count > 0;) {
+    const Waiting at = waiting[--count];
+    if (at.distance >= best) continue;
+    if (at.node >= fans_.size()) {
+      searchRun(at.node - fans_.size(), point, best, near);
       continue;
     }
-    if (at.distance < best) {
-      const size_t begin = kRun * (at.node - leaves_), end = std::min(triangles_.size(), begin + kRun);
-      for (size_t t = begin; t < end; ++t) {
-        const double found = squaredDistance(point, triangle(t));
-        if (found < best) {
-          best = found;
-          near = static_cast<uint32_t>(t);
-        }
-      }
+    const Lanes distances = fans_[at.node].squaredDistances(rounded) * kShortened;
+    const size_t first = count;
+    for (size_t child = 0; child < kFan; ++child) {
+      const Waiting next{kFan * at.node + 1 + child, distances[child]};
+      if (next.distance >= best) continue;
+      size_t place = count++;
+      for (; place > first && waiting[place - 1].distance < next.distance; --place) waiting[place] = waiting[place - 1];
+      waiting[place] = next;
     }
-    if (count == 0) return std::sqrt(best);
-    at = waiting[--count];
   }
+  return std::sqrt(best);
 }
 
 }  // namespace isostar::measure

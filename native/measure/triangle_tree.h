@@ -9,7 +9,7 @@
 
 namespace isostar::measure {
 
-/// A mesh's triangles along a Morton curve, in a complete binary tree of boxes above runs of a few of them.
+/// A mesh's triangles along a Morton curve, in a complete tree of boxes above runs of a few of them.
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh&);
@@ -22,22 +22,30 @@ class TriangleTree {
   double distance(const Vector3& point, uint32_t& near) const;
 
  private:
-  static constexpr size_t kRun = 4;
+  static constexpr size_t kRun = 4, kFan = 4;
 
+  /// Four numbers that the processor computes with at once.
+  using Lanes = float __attribute__((vector_size(kFan * sizeof(float))));
+
+  /// The boxes of a node's children, side by side. They are a little too large, so that distances to them, in single
+  /// precision, are never too long.
+  struct Fan {
+    std::array<Lanes, 3> low, high;
+    Lanes squaredDistances(const std::array<float, 3>&) const;
+  };
   struct Box {
     std::array<float, 3> low, high;
-    void cover(const Box&);
-    double squaredDistance(const Vector3&) const;
   };
   using Corners = std::array<float, 9>;
 
   void sortAlongCurve();
-  void buildBoxes();
+  void buildFans();
   Box boxOfRun(size_t run) const;
+  Box boxAround(const Fan&) const;
+  void searchRun(size_t run, const Vector3& point, double& best, uint32_t& near) const;
 
   std::vector<Corners> triangles_;
-  std::vector<Box> boxes_;  // node n has the children 2n and 2n + 1, the root is 1, the leaves are the last `leaves_`
-  size_t leaves_ = 1;
+  std::vector<Fan> fans_;  // node n has the children 4n + 1 … 4n + 4; nodes from fans_.size() on are runs of triangles
 };
 
 }  // namespace isostar::measure
