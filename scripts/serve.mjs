@@ -19,7 +19,16 @@ const HEADERS = {
   'Cache-Control': 'no-cache',
 };
 
-async function find(folders, path) {
+/** The file that an address names; nothing for one that names none, or badly. */
+async function find(folders, url) {
+  let path;
+  try {
+    path = decodeURIComponent(new URL(url, 'http://any').pathname);
+  } catch {
+    return;
+  }
+  if (path.includes('\0')) return;
+  if (path.endsWith('/')) path += 'index.html';
   for (const folder of folders) {
     const file = join(folder, normalize(path));  // a normalized absolute path cannot climb out of the folder
     const found = await stat(file).catch(() => undefined);
@@ -31,8 +40,7 @@ async function find(folders, path) {
 export function serve(folders, { port = 0, host = '127.0.0.1', handle = () => false } = {}) {
   const server = createServer(async (request, response) => {
     if (handle(request, response, HEADERS)) return;
-    const { pathname } = new URL(request.url, 'http://any');
-    const found = await find(folders, decodeURIComponent(pathname.endsWith('/') ? `${pathname}index.html` : pathname)).catch(() => undefined);
+    const found = await find(folders, request.url);
     if (!found) return response.writeHead(404, HEADERS).end();
     const type = TYPES[extname(found.file)] ?? 'application/octet-stream';
     response.writeHead(200, { ...HEADERS, 'Content-Type': type, 'Content-Length': found.size });
