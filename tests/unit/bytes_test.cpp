@@ -1,0 +1,82 @@
+#include "bytes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace isostar {
+namespace {
+
+std::vector<std::byte> bytesOf(std::initializer_list<int> values) {
+  std::vector<std::byte> bytes;
+  for (int v : values) bytes.push_back(static_cast<std::byte>(v));
+  return bytes;
+}
+
+TEST(Bytes, varintsComeBackAtEachLength) {
+  for (int bits = 0; bits < 63; ++bits) {
+    for (uint64_t v : {(uint64_t{1} << bits) - 1, uint64_t{1} << bits, (uint64_t{1} << bits) + 1}) {
+      if (v >> 63 != 0) continue;
+      std::vector<std::byte> out;
+      ByteWriter(out).varint(v);
+      EXPECT_LE(out.size(), 9u);
+      ByteReader in(out);
+      EXPECT_EQ(in.varint(), v);
+      EXPECT_EQ(in.position(), out.size());
+      EXPECT_FALSE(in.overrun() || in.malformed());
+    }
+  }
+}
+
+TEST(Bytes, varintHasNoMoreThanNineBytes) {
+  const std::vector<std::byte> endless(20, std::byte{0x80});
+  ByteReader in(endless);
+  EXPECT_EQ(in.varint(), 0u);
+  EXPECT_TRUE(in.malformed());
+  EXPECT_EQ(in.position(), 9u);
+}
+
+TEST(Bytes, littleEndian) {
+  std::vector<std::byte> out;
+  ByteWriter w(out);
+  w.u8(0xFE);
+  w.u32(0x04030201u);
+  EXPECT_EQ(out, bytesOf({0xFE, 1, 2, 3, 4}));
+  ByteReader in(out);
+  EXPECT_EQ(in.u8(), 0xFEu);
+  EXPECT_EQ(in.u32(), 0x04030201u);
+}
+
+TEST(Bytes, floatsKeepEachBit) {
+  for (double v : {0.0, -0.0, 0.1, -1e300, 5e-324, std::numeric_limits<double>::infinity()}) {
+    std::vector<std::byte> out;
+    ByteWriter w(out);
+    w.f64(v);
+    w.f32(static_cast<float>(v));
+    ByteReader in(out);
+    const double back = in.f64();
+    EXPECT_EQ(std::bit_cast<uint64_t>(back), std::bit_cast<uint64_t>(v));
+    EXPECT_EQ(std::bit_cast<uint32_t>(in.f32()), std::bit_cast<uint32_t>(static_cast<float>(v)));
+  }
+}
+
+TEST(Bytes, pastTheEndAreZerosAndItIsSaid) {
+  const auto three = bytesOf({1, 2, 3});
+  ByteReader in(three);
+  EXPECT_EQ(in.u32(), 0x00030201u);
+  EXPECT_TRUE(in.overrun());
+  EXPECT_EQ(in.position(), 3u);
+  EXPECT_EQ(in.f64(), 0.0);
+  EXPECT_EQ(in.varint(), 0u);
+  EXPECT_FALSE(in.malformed());
+}
+
+TEST(Bytes, noBytes) {
+  ByteReader in{std::span<const std::byte>()};
+  EXPECT_FALSE(in.overrun());
+  EXPECT_EQ(in.u8(), 0u);
+  EXPECT_TRUE(in.overrun());
+}
+
+}  // namespace
+}  // namespace isostar

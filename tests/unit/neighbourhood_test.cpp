@@ -1,0 +1,123 @@
+#include "neighbourhood.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "simplex.h"
+
+namespace isostar {
+namespace {
+
+template <class Dimension>
+class NeighbourhoodTest : public testing::Test {};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+TYPED_TEST_SUITE(NeighbourhoodTest, Dimensions);
+
+/// The offset of a vertex that a step stands for; it is unique within two planes.
+template <int D>
+Coordinates<D> offset(const Step& step) {
+  Coordinates<D> d{};
+  d[0] = step.bits;
+  int rows = step.rows;
+  for (int a = D - 1; a >= 1; --a) {
+    const int stride = Window<D>::rowStride(a);
+    d[a] = (rows + stride * 100 + stride / 2) / stride - 100;
+    rows -= d[a] * stride;
+  }
+  EXPECT_EQ(rows, 0);
+  return d;
+}
+
+template <int D>
+std::set<Coordinates<D>> offsets(const std::array<Step, Neighbourhood<D>::kMost>& steps, int from, int count) {
+  std::set<Coordinates<D>> all;
+  for (int i = from; i < from + count; ++i) EXPECT_TRUE(all.insert(offset<D>(steps[static_cast<std::size_t>(i)])).second);
+  return all;
+}
+
+/// How many axes a neighbour is fresh on: 0 for a vertex of the coarser octave.
+template <int D>
+int classOf(unsigned fresh, const Coordinates<D>& d) {
+  int axes = 0;
+  for (int a = 0; a < D; ++a) axes += ((fresh >> a & 1) ^ static_cast<unsigned>(d[a] & 1)) != 0;
+  return axes;
+}
+
+TYPED_TEST(NeighbourhoodTest, diamondsHaveTheSizesOfTheTheory) {
+  constexpr int D = TypeParam::value;
+  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
+    const int axes = __builtin_popcount(fresh);
+    const Neighbourhood<D> n(fresh);
+    EXPECT_EQ(n.cornerCount, 1 << axes);
+    EXPECT_EQ(n.acrossCount, static_cast<int>(power(3, D - axes)) - 1);
+  }
+}
+
+TEST(Neighbourhood, diamondsInSpace) {
+  const Neighbourhood<3> cell(7), face(3), edge(1);
+  EXPECT_EQ(cell.cornerCount + cell.acrossCount, 8) << "a cell's centre sees its corners";
+  EXPECT_EQ(face.cornerCount, 4) << "a face's centre its corners";
+  EXPECT_EQ(face.acrossCount, 2) << "and the centres of both cells";
+  EXPECT_EQ(edge.cornerCount, 2) << "an edge's midpoint its ends";
+  EXPECT_EQ(edge.acrossCount, 8) << "and the centres of four faces and four cells";
+}
+
+TYPED_TEST(NeighbourhoodTest, diamondsHoldVerticesOfEarlierClassesOnly) {
+  constexpr int D = TypeParam::value;
+  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
+    const Neighbourhood<D> n(fresh);
+    const int mine = __builtin_popcount(fresh);
+    for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount)) EXPECT_EQ(classOf<D>(fresh, d), 0);
+    for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount)) EXPECT_GT(classOf<D>(fresh, d), mine);
+    for (const auto& d : offsets<D>(n.far, 0, n.farCount)) EXPECT_TRUE(classOf<D>(fresh, d) == 0 || classOf<D>(fresh, d) > mine);
+  }
+}
+
+TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndCameBefore) {
+  constexpr int D = TypeParam::value;
+  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
+    const Neighbourhood<D> n(fresh);
+    for (const auto& d : offsets<D>(n.siblings, 0, n.siblingCount)) {
+      EXPECT_EQ(classOf<D>(fresh, d), __builtin_popcount(fresh));
+      EXPECT_TRUE(std::lexicographical_compare(d.rbegin(), d.rend(), Coordinates<D>{}.rbegin(), Coordinates<D>{}.rend()));
+    }
+  }
+}
+
+TYPED_TEST(NeighbourhoodTest, listsDoNotOverlapAndStayInTheWindow) {
+  constexpr int D = TypeParam::value;
+  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
+    const Neighbourhood<D> n(fresh);
+    auto all = offsets<D>(n.diamond, 0, n.diamondCount());
+    const std::size_t diamond = all.size();
+    all.merge(offsets<D>(n.siblings, 0, n.siblingCount));
+    all.merge(offsets<D>(n.far, 0, n.farCount));
+    EXPECT_EQ(all.size(), diamond + static_cast<std::size_t>(n.siblingCount + n.farCount));
+    EXPECT_FALSE(all.contains(Coordinates<D>{}));
+    for (const auto& d : all) {
+      for (int32_t x : d) EXPECT_LE(std::abs(x), Window<D>::kHalo);
+    }
+  }
+}
+
+
+TYPED_TEST(NeighbourhoodTest, diamondIsWhatTheSplitEdgeSees) {
+  constexpr int D = TypeParam::value;
+  // All simplices with the cell's diagonal have the cell's corners, and no more.
+  std::set<Coordinates<D>> seen;
+  for (uint32_t rank = 0; rank < Simplex<D>::perCell(); ++rank) {
+    const auto s = Simplex<D>::inCell(Coordinates<D>{}, rank);
+    for (int i = 0; i <= D; ++i) {
+      Coordinates<D> d;
+      for (int a = 0; a < D; ++a) d[a] = 2 * s.vertex(i)[a] - 1;
+      seen.insert(d);
+    }
+  }
+  const Neighbourhood<D> centre((1u << D) - 1);
+  EXPECT_EQ(offsets<D>(centre.diamond, 0, centre.diamondCount()), seen);
+}
+
+}  // namespace
+}  // namespace isostar
