@@ -46,7 +46,7 @@ export class Camera {
   fit(orbit?: readonly [number, number]): void {
     const half = MathUtils.degToRad(this.eye.fov / 2);
     const narrow = Math.min(half, Math.atan(Math.tan(half) * this.eye.aspect));
-    const distance = (this.#radius / Math.sin(narrow)) * 0.94;
+    const distance = (this.#radius / Math.sin(narrow)) * 0.84;
     const direction = this.eye.position.clone().sub(this.#controls.target);
     if (orbit) {
       const [azimuth, elevation] = orbit.map(MathUtils.degToRad) as [number, number];

@@ -19,5 +19,5 @@ float bend(vec3 normalStep, vec3 step) { return dot(normalStep, step) / max(dot(
 float cavity(vec3 normal, vec3 position) {
   float curvature = bend(dFdx(normal), dFdx(position)) + bend(dFdy(normal), dFdy(position));
   float side = gl_FrontFacing ? 1.0 : 0.6;  // what one sees from behind lies in the dark
-  return side * (1.0 + 0.28 * clamp(curvature * scale * 0.03, -1.3, 0.8));
+  return side * (1.0 + 0.22 * clamp(curvature * scale * 0.03, -1.3, 0.8));
 }`;

@@ -12,7 +12,7 @@ export interface Shape {
 export class Pane {
   readonly group = new Group();
   readonly #geometry = new BufferGeometry();
-  readonly #edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: '#0b0d10', transparent: true, opacity: 0.55 }));
+  readonly #edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: '#0b0d10', transparent: true, opacity: 0.25 }));
   readonly #wireframes: Wireframes;
   #shape: Shape | undefined;
   #isWireframe = false;
