@@ -1,0 +1,44 @@
+#include "bench/isostar_codec.h"
+
+namespace isostar::bench {
+namespace {
+
+std::vector<std::byte> encoded(const Subject& subject, const EncodeOptions& options) {
+  std::vector<std::byte> stream;
+  require(encode(subject.volume.view(), options, stream), "encode");
+  return stream;
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeIsostar(const Subject& subject, double maxError) {
+  EncodeOptions options;
+  options.isovalue = subject.isovalue;
+  options.maxError = maxError;
+  return encoded(subject, options);
+}
+
+std::vector<std::byte> encodeIsostarLossless(const Subject& subject) {
+  EncodeOptions options;
+  options.isovalue = subject.isovalue;
+  options.lossless = true;
+  return encoded(subject, options);
+}
+
+Decoder decodeIsostar(std::span<const std::byte> prefix) {
+  Decoder decoder;
+  decoder.feed(prefix);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  if (decoder.error() != Error::Truncated) require(decoder.error(), "decode");
+  return decoder;
+}
+
+Mesh meshOf(const Decoder& decoder, bool normals) {
+  Mesh mesh;
+  require(decoder.mesh({Polygonizer::Cubes, Frame::Grid, normals}, mesh), "polygonize");
+  return mesh;
+}
+
+}  // namespace isostar::bench

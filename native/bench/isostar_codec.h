@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "bench/subject.h"
+
+namespace isostar::bench {
+
+std::vector<std::byte> encodeIsostar(const Subject&, double maxError);
+std::vector<std::byte> encodeIsostarLossless(const Subject&);
+
+/// A decoder that has made the most of a prefix; fails with one line where a prefix is anything but short.
+Decoder decodeIsostar(std::span<const std::byte> prefix);
+
+/// Marching cubes' mesh of what it knows, in sample indices.
+Mesh meshOf(const Decoder&, bool normals);
+
+}  // namespace isostar::bench

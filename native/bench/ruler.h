@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "measure/surface_distance.h"
+
+namespace isostar::bench {
+
+/// Measures surfaces against the source's, in grid steps. The source must outlive it and have triangles.
+class Ruler {
+ public:
+  Ruler(const Mesh& source, size_t points) : source_(source), points_(points) {}
+
+  /// The larger of both directions; nothing where the mesh has no triangle.
+  std::optional<measure::Distance> distance(const Mesh&) const;
+
+  /// The same from every vertex: for a maximum that has to be one.
+  std::optional<measure::Distance> thoroughDistance(const Mesh&) const;
+
+ private:
+  measure::Measurable source_;
+  size_t points_;
+};
+
+}  // namespace isostar::bench

@@ -1,0 +1,200 @@
+#include "bench/sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "bench/draco_codec.h"
+#include "bench/general_codecs.h"
+#include "bench/isostar_codec.h"
+#include "bench/ruler.h"
+#include "bench/simplifier.h"
+
+namespace isostar::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using measure::Distance;
+
+constexpr double kOtherBounds[] = {0.4, 0.2, 0.1, 0.025, 0.0125};
+constexpr double kRatios[] = {0.7, 0.5, 0.36, 0.26, 0.18, 0.13, 0.09, 0.06, 0.035, 0.02};
+constexpr double kShares[] = {0.02, 0.05, 0.1};  // of the default stream, at which low rates are judged
+
+/// Bytes and what they buy; distances are null where there is no surface yet.
+Json point(size_t bytes, const std::optional<Distance>& distance) {
+  Json json = {{"bytes", bytes}, {"rms", nullptr}, {"max", nullptr}};
+  if (distance) json["rms"] = distance->rms, json["max"] = distance->max;
+  return json;
+}
+
+StreamInfo inspected(const std::vector<std::byte>& stream) {
+  StreamInfo info;
+  require(inspect(stream, info), "inspect");
+  return info;
+}
+
+Mesh meshInGridSteps(const Decoder& decoder, const Subject& subject) {
+  Mesh mesh = meshOf(decoder, false);
+  toGridSteps(mesh, subject.volume.placement);
+  return mesh;
+}
+
+Mesh decodedMesh(const std::vector<std::byte>& stream, const Subject& subject) {
+  return meshInGridSteps(decodeIsostar(stream), subject);
+}
+
+Json layerJson(const LayerInfo& layer) {
+  return {{"kind", layer.kind}, {"level", layer.level}, {"offset", layer.offset}, {"bytes", layer.bytes}, {"error", layer.error}};
+}
+
+Json streamJson(const std::vector<std::byte>& stream) {
+  const StreamInfo info = inspected(stream);
+  std::map<bool, uint64_t> bits;  // of geometry or not
+  Json layers = Json::array();
+  for (const LayerInfo& layer : info.layers) {
+    bits[layer.kind == "geometry"] += 8 * layer.bytes;
+    layers.push_back(layerJson(layer));
+  }
+  return {{"bytes", stream.size()},
+          {"bits", {{"connectivity", bits[false]}, {"geometry", bits[true]}, {"header", 8 * info.headerBytes}}},
+          {"layers", layers}};
+}
+
+/// Layer ends, shares, and steps of one factor from the smallest share to the whole.
+std::set<size_t> prefixSizes(const StreamInfo& info, int steps) {
+  const double all = static_cast<double>(info.bytes);
+  std::set<size_t> sizes;
+  for (const LayerInfo& layer : info.layers) sizes.insert(layer.offset);
+  for (double share : kShares) sizes.insert(static_cast<size_t>(share * all));
+  for (int i = 1; i < steps; ++i)
+    sizes.insert(static_cast<size_t>(all * std::pow(kShares[0], static_cast<double>(i) / steps)));
+  return sizes;
+}
+
+Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, const Ruler& ruler, int steps) {
+  const StreamInfo info = inspected(stream);
+  Json points = Json::array();
+  std::optional<Distance> distance;
+  uint64_t shown = 0;
+  for (size_t bytes : prefixSizes(info, steps)) {
+    const Decoder decoder = decodeIsostar(std::span(stream).first(bytes));
+    if (decoder.bytes() != shown) distance = ruler.distance(meshInGridSteps(decoder, subject));
+    shown = decoder.bytes();
+    Json json = point(bytes, distance);
+    json["layerEnd"] = std::ranges::any_of(info.layers, [&](const LayerInfo& layer) { return layer.offset == bytes; });
+    points.push_back(json);
+  }
+  return points;
+}
+
+/// The decoded surface against the polygonizer's own: the same triangles, and how far a coordinate is off at most.
+Json losslessJson(const Subject& subject) {
+  const std::vector<std::byte> stream = encodeIsostarLossless(subject);
+  const Mesh mesh = decodedMesh(stream, subject);
+  const bool same = mesh.triangles == subject.mesh.triangles && mesh.positions.size() == subject.mesh.positions.size();
+  double worst = 0;
+  for (size_t i = 0; same && i < mesh.positions.size(); ++i)
+    worst = std::max(worst, std::abs(double{mesh.positions[i]} - subject.mesh.positions[i]));
+  Json json = streamJson(stream);
+  json["sameTriangles"] = same;
+  json["largestDifference"] = same ? Json(worst) : Json();
+  return json;
+}
+
+/// From the count at which Draco's step is one grid step, or from 8, to `most`.
+std::vector<int> dracoBits(const Mesh& mesh, int most) {
+  float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
+    high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+  }
+  for (int axis = 0; axis < 3; ++axis) side = std::max(side, high[axis] - low[axis]);
+  std::vector<int> bits;
+  for (int b = std::clamp(static_cast<int>(std::ceil(std::log2(side))), 3, 8); b <= most; ++b) bits.push_back(b);
+  return bits;
+}
+
+Json dracoPoint(const Mesh& mesh, int level, int bits, const Ruler& ruler) {
+  const std::vector<std::byte> bytes = encodeDraco(mesh, level, bits);
+  Json json = point(bytes.size(), ruler.distance(meshOfDraco(bytes)));
+  json["level"] = level;
+  json["bits"] = bits;
+  return json;
+}
+
+/// Both levels round to the same positions, so that one distance counts for both.
+Json draco(const Mesh& mesh, const Ruler& ruler) {
+  Json points = Json::array();
+  for (int bits : dracoBits(mesh, 14)) {
+    Json best = dracoPoint(mesh, 10, bits, ruler);
+    Json quick = best;
+    quick["bytes"] = encodeDraco(mesh, 7, bits).size();
+    quick["level"] = 7;
+    points.push_back(best);
+    points.push_back(quick);
+  }
+  return points;
+}
+
+Json simplifiedDraco(const Mesh& mesh, const Ruler& ruler) {
+  Json points = Json::array();
+  for (double ratio : kRatios) {
+    const Mesh fewer = simplified(mesh, ratio);
+    if (fewer.triangles.empty()) break;
+    for (int bits : dracoBits(mesh, 13)) {
+      points.push_back(dracoPoint(fewer, 10, bits, ruler));
+      points.back()["ratio"] = ratio;
+    }
+  }
+  return points;
+}
+
+Json meshopt(const Mesh& mesh, const Ruler& ruler) {
+  Json points = Json::array();
+  for (int bits : dracoBits(mesh, 14)) {
+    const MeshoptStream stream = encodeMeshopt(mesh, bits);
+    points.push_back(point(stream.bytes, ruler.distance(stream.decoded)));
+    points.back()["bits"] = bits;
+  }
+  return points;
+}
+
+Json otherBounds(const Subject& subject, const Ruler& ruler) {
+  Json points = Json::array();
+  for (double bound : kOtherBounds) {
+    const std::vector<std::byte> stream = encodeIsostar(subject, bound);
+    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.back()["maxError"] = bound;
+  }
+  return points;
+}
+
+}  // namespace
+
+Json sizes(const Subject& subject, const SizeOptions& options) {
+  Json json = {{"size", subject.volume.size},
+               {"spacing", subject.volume.placement.spacing},
+               {"isovalue", subject.isovalue},
+               {"vertices", subject.mesh.positions.size() / 3},
+               {"triangles", subject.mesh.triangles.size() / 3}};
+  if (subject.mesh.triangles.empty()) return json;
+  const Ruler ruler(subject.mesh, options.points);
+  const double bound = EncodeOptions{}.maxError;
+  const std::vector<std::byte> stream = encodeIsostar(subject, bound);
+  json["default"] = streamJson(stream);
+  json["default"]["bound"] = bound;
+  if (const auto distance = ruler.thoroughDistance(decodedMesh(stream, subject)))
+    json["default"]["rms"] = distance->rms, json["default"]["max"] = distance->max;
+  json["prefixes"] = prefixes(stream, subject, ruler, options.prefixes);
+  json["lossless"] = losslessJson(subject);
+  json["draco"] = draco(subject.mesh, ruler);
+  if (!options.rate) return json;
+  json["bounds"] = otherBounds(subject, ruler);
+  json["simplified"] = simplifiedDraco(subject.mesh, ruler);
+  json["meshopt"] = meshopt(subject.mesh, ruler);
+  json["zstdVolume"] = zstdBytes(subject.volume.samples);
+  return json;
+}
+
+}  // namespace isostar::bench
