@@ -26,7 +26,7 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
-      const auto guess = Prediction<D>::template of<false>(tube.window(), window, row, r, x, steps);
+      const auto guess = Prediction<D>::of(tube.window(), window, row, r, x, steps);
       const auto value = static_cast<int32_t>(std::clamp<int64_t>(guess.magnitude, std::max<int64_t>(1, steps / 8), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });

@@ -19,8 +19,8 @@ template <int D>
 class GeometryCoder {
  public:
   GeometryCoder()
-      : shape_(kShapeContexts), guess_(kGuessContexts), beside_(kBesideContexts), refine_(kRefineContexts) {
-    weights_.fill(Mixer<3>::fresh());
+      : shape_(kShapeContexts), guess_(kGuessContexts), beside_(kBesideContexts), both_(kBothContexts), refine_(kRefineContexts) {
+    weights_.fill(Mixer<kInputs>::fresh());
   }
 
   /// The first pass: a brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least,
@@ -35,10 +35,10 @@ class GeometryCoder {
       enter(scalars, place);
       auto& brick = scalars.writable(place);
       const int floor = std::max(0, gradient_ / 4 - depth);
-      tube_.forEach([&](int row, std::size_t r, int x) {
-        if (ask.spent()) return;
+      // Positive vertices first: the others then know the far ends of their crossing edges.
+      for (const bool positive : {true, false}) tube_.forEach([&](int row, std::size_t r, int x) {
+        if (tube_.positive(row, x) != positive || ask.spent()) return;
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
-        const bool positive = tube_.positive(row, x);
         const int octave = tellOctave(ask, row, r, x, floor, ask.magnitude(place, r, x));
         const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor + octave - 1);
         brick.set(v, positive, low, octave == 0 ? floor : floor + octave - 1);
@@ -80,9 +80,11 @@ class GeometryCoder {
  private:
   static constexpr int kMostOctaves = 8;  // told apart as contexts
   static constexpr int kRatios = 32;
+  static constexpr int kInputs = 4;
   static constexpr std::size_t kShapeContexts = kMostOctaves * 8 * 64;
-  static constexpr std::size_t kGuessContexts = kMostOctaves * 4 * kRatios;
-  static constexpr std::size_t kBesideContexts = kMostOctaves * 16 * 16;
+  static constexpr std::size_t kGuessContexts = kMostOctaves * 4 * kRatios * 4;
+  static constexpr std::size_t kBesideContexts = kMostOctaves * 8 * 16 * 16;
+  static constexpr std::size_t kBothContexts = kMostOctaves * kRatios * 16 * 8;
   static constexpr std::size_t kRefineContexts = 8 * 4 * kRatios;
 
   /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one told.
@@ -116,19 +118,22 @@ class GeometryCoder {
 
   template <class Exchange>
   int tellOctave(Exchange& ask, int row, std::size_t r, int x, int floor, uint32_t truth) {
-    const auto g = Prediction<D>::template of<true>(tube_.window(), window_, row, r, x, steps_);
+    const auto g = Prediction<D>::of(tube_.window(), window_, row, r, x, steps_);
     const int guessed = eighths(static_cast<uint64_t>(g.magnitude) / 2);
     const int expected = std::clamp((guessed - 1) / 8 + 1 - floor, 0, kMostWidth - floor);
     const int octave = std::max(0, 32 - std::countl_zero(truth) - floor);
-    const auto beside = neighbours(row, r, x);
+    const Beside beside = neighbours(row, r, x);
     auto above = [&](int k) {
       const auto at = static_cast<std::size_t>(std::min(k, kMostOctaves - 1));
       const auto ratio = static_cast<std::size_t>(std::clamp(guessed - 8 * (floor + k) + kRatios / 2, 0, kRatios - 1));
-      const auto c = static_cast<std::size_t>(g.confidence);
-      const std::array<Chance*, 3> contexts{&shape_[(at * 8 + static_cast<std::size_t>(beside.crossings)) * 64 + static_cast<std::size_t>(g.shape)],
-                                            &guess_[(at * 4 + c) * kRatios + ratio],
-                                            &beside_[(at * 16 + static_cast<std::size_t>(beside.other)) * 16 + static_cast<std::size_t>(beside.same)]};
-      return Mixer<3>::template bit<255>(ask.coder(), octave > k, contexts, weights_[at * 4 + c]);
+      const auto confidence = static_cast<std::size_t>(g.confidence), shape = static_cast<std::size_t>(g.shape);
+      const std::array<Chance*, kInputs> contexts{
+          &shape_[(at * 8 + beside.crossings) * 64 + shape],
+          &guess_[((at * 4 + confidence) * kRatios + ratio) * 4 + beside.other / 4],
+          &beside_[((at * 8 + beside.crossings) * 16 + beside.other) * 16 + beside.same],
+          &both_[((at * kRatios + ratio) * 16 + shape / 4) * 8 + beside.crossings]};
+      const std::size_t trust = at * 4 + (beside.other != 0 ? 1 : 0) + (beside.same != 0 ? 2 : 0);
+      return Mixer<kInputs>::template bit<127, 10>(ask.coder(), octave > k, contexts, weights_[trust]);
     };
     int k = expected;
     if (k < kMostWidth - floor && above(k)) {
@@ -142,7 +147,7 @@ class GeometryCoder {
 
   /// Crossing axis edges at a vertex, and the sizes of the scalars next to it, 0 where unknown.
   struct Beside {
-    int crossings = 0, other = 0, same = 0;
+    std::size_t crossings = 0, other = 0, same = 0;
   };
   [[nodiscard]] Beside neighbours(int row, std::size_t r, int x) const {
     Beside beside;
@@ -166,15 +171,14 @@ class GeometryCoder {
         }
       }
     }
-    beside.crossings = std::min(beside.crossings, 7);
     if (others != 0) beside.other = relative(other, others);
     if (sames != 0) beside.same = relative(same, sames);
     return beside;
   }
   /// A mean size relative to the gradient, in half octaves, 1 … 15.
-  [[nodiscard]] int relative(int64_t sum, int count) const {
+  [[nodiscard]] std::size_t relative(int64_t sum, int count) const {
     const int size = eighths(static_cast<uint64_t>(sum / count / 2)) / 4 - gradient_ / 2;
-    return std::clamp(size + 11, 1, 15);
+    return static_cast<std::size_t>(std::clamp(size + 11, 1, 15));
   }
 
   /// May the interval move a crossing on an edge of the vertex by more than allowed?
@@ -247,8 +251,8 @@ class GeometryCoder {
   int lastGradient_ = 0;
   std::array<Chance, 16> gradientModel_;
   Chance selectModel_;
-  std::vector<Chance> shape_, guess_, beside_, refine_;
-  std::array<Mixer<3>::Weights, kMostOctaves * 4> weights_;
+  std::vector<Chance> shape_, guess_, beside_, both_, refine_;
+  std::array<Mixer<kInputs>::Weights, kMostOctaves * 4> weights_;
 };
 
 }  // namespace isostar

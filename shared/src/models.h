@@ -97,7 +97,8 @@ class Mixer {
     return w;
   }
 
-  template <int Limit, class Coder>
+  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate.
+  template <int Limit, int Rate, class Coder>
   static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights) {
     std::array<int32_t, N> logOdds;
     int64_t sum = 0;
@@ -109,7 +110,7 @@ class Mixer {
     const bool value = coder.bit(truth, chance);
     const int32_t error = static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance);
     for (int i = 0; i < N; ++i) {
-      weights[i] += (logOdds[i] * (error >> 2) + (1 << 13)) >> 14;
+      weights[i] += (logOdds[i] * (error >> 2) + (1 << (Rate - 1))) >> Rate;
       contexts[i]->template learn<Limit>(value);
     }
     return value;

@@ -13,8 +13,7 @@ struct Prediction {
   int shape = 0;          // 0 … 63: the weighed sum of signs, seen from the vertex's own side
 
   /// Known neighbours are extrapolated along the slope that the signs show. `steps`: half quanta by which the field
-  /// changes in a grid step. OnlyBefore: neighbours that come first in the order of rows; others are not looked at.
-  template <bool OnlyBefore>
+  /// changes in a grid step.
   static Prediction of(const Window<D>& signs, const ScalarWindow<D>& scalars, int row, std::size_t r, int x, int64_t steps) {
     const bool positive = (signs.rows[row] >> (x + Window<D>::kHalo) & 1) != 0;
     const auto estimate = ShapeEstimate<D>::of(signs, row, x + Window<D>::kHalo);
@@ -24,9 +23,7 @@ struct Prediction {
     int64_t sum = 0;
     uint64_t packed = 0;
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
-    constexpr std::size_t kCount = OnlyBefore ? kAround.size() / 2 : kAround.size();
-    for (std::size_t i = 0; i < kCount; ++i) {
-      const Neighbour& n = kAround[i];
+    for (const Neighbour& n : kAround) {
       const int32_t value = here[n.offset];
       const int64_t known = value == Scalars<D>::kUnknown ? 0 : -1;
       sum += value * (n.weight & known);
@@ -52,7 +49,7 @@ struct Prediction {
     int64_t weight = 0;
     uint64_t packed = 0;  // a byte for the weight, then for each axis one for weight · (1 + offset): never negative
   };
-  /// The 3^D - 1 vertices around, in the order of rows: the first half comes before.
+  /// The 3^D - 1 vertices around.
   static constexpr std::array<Neighbour, power(3, D) - 1> kAround = [] {
     std::array<Neighbour, power(3, D) - 1> all{};
     std::array<int, D> d{};

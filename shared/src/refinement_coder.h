@@ -179,7 +179,7 @@ class RefinementCoder {
         &wide_[set << kWideBits | (((corners * 9 + across) << 7 | static_cast<unsigned>(__builtin_popcount(siblings) / 2) << 4 |
                                     static_cast<unsigned>(__builtin_popcount(far) / 2)) &
                                    ((1u << kWideBits) - 1))]};
-    return Mixer<kInputs>::template bit<255>(ask.coder(), truth, contexts, weights_[set]);
+    return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[set * 16 + std::min(corners, 15u)]);
   }
 
   /// How busy a brick is, as a context for its exceptions.
@@ -226,7 +226,7 @@ class RefinementCoder {
   int rowCount_ = 0;
   bool changed_ = false;
   std::vector<Chance> near_, counts_, wide_;
-  std::array<typename Mixer<kInputs>::Weights, kSets> weights_;
+  std::array<typename Mixer<kInputs>::Weights, kSets * 16> weights_;
   std::array<std::array<Chance, 5>, D + 1> brickFlag_;
   std::array<Chance, 5> rowFlag_;
   std::array<Chance, D + 1> groupFlag_, quietFlag_;
