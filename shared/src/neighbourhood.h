@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
-#include <cstdlib>
 
 #include "window.h"
 
@@ -15,6 +15,52 @@ struct Step {
   int8_t bits = 0;
 };
 
+/// The 5^(D-1) rows around one, five to a word, so that neighbours are counted by a mask.
+template <int D>
+struct RowPacks {
+  static constexpr std::size_t kWords = power(5, D - 2);
+  static constexpr int kBits = Window<D>::kSide;  // of a row in a word
+  static_assert(5 * kBits <= 64);
+  std::array<uint64_t, kWords> words{};
+
+  /// The rows around a row of a window.
+  static RowPacks around(const uint16_t* row) {
+    RowPacks packs;
+    for (std::size_t w = 0; w < kWords; ++w) {
+      const uint16_t* first = row + kFirst[w];
+      for (int i = 0; i < 5; ++i) packs.words[w] |= uint64_t{first[i * Window<D>::rowStride(1)]} << (i * kBits);
+    }
+    return packs;
+  }
+  /// Turns the sign at bit `at` of the row in the middle.
+  void flip(int at) { words[kWords / 2] ^= uint64_t{1} << (2 * kBits + at); }
+
+  /// How many vertices of a mask are positive, seen from bit `at` of the row in the middle.
+  [[nodiscard]] unsigned count(const RowPacks& mask, int at) const {
+    int positive = 0;
+    for (std::size_t w = 0; w < kWords; ++w) positive += std::popcount(words[w] >> (at - 2) & mask.words[w]);
+    return static_cast<unsigned>(positive);
+  }
+
+  /// Adds a neighbour, two steps away at the most on each axis, to a mask.
+  constexpr void add(const std::array<int, D>& d) {
+    std::size_t word = 0;
+    for (int a = D - 1; a >= 2; --a) word = word * 5 + static_cast<std::size_t>(d[a] + 2);
+    words[word] |= uint64_t{1} << ((d[1] + 2) * kBits + d[0] + 2);
+  }
+
+ private:
+  static constexpr std::array<int, kWords> kFirst = [] {
+    std::array<int, kWords> first{};
+    for (std::size_t w = 0; w < kWords; ++w) {
+      first[w] = -2 * Window<D>::rowStride(1);
+      std::size_t digits = w;
+      for (int a = 2; a < D; ++a, digits /= 5) first[w] += (static_cast<int>(digits % 5) - 2) * Window<D>::rowStride(a);
+    }
+    return first;
+  }();
+};
+
 /// The neighbours of a vertex that is fresh on the axes of a set O. Splitting the diagonal of the cube or face that
 /// spans O creates the vertex; its diamond (all simplices around that edge) has the corners v + {±1}^O and, across the
 /// other axes N, v + {-1,0,1}^N without v. After K. Weiss, L. De Floriani, Diamond hierarchies of arbitrary dimension (2009).
@@ -23,8 +69,10 @@ struct Neighbourhood {
   static constexpr int kMost = static_cast<int>(power(3, D)) + 5;
   std::array<Step, kMost> diamond{};   // the corners, then those across
   std::array<Step, kMost> siblings{};  // of the same class, earlier in the order of rows; nearest first
-  std::array<Step, kMost> far{};       // of earlier classes outside the diamond; nearest first
-  int cornerCount = 0, acrossCount = 0, siblingCount = 0, farCount = 0;
+  int cornerCount = 0, acrossCount = 0, siblingCount = 0;
+  RowPacks<D> siblingMask;  // the nearest kSiblings siblings
+  RowPacks<D> farMask;      // the nearest kFar vertices of earlier classes outside the diamond
+  static constexpr int kSiblings = 13, kFar = 24;
 
   [[nodiscard]] constexpr int diamondCount() const { return cornerCount + acrossCount; }
 
@@ -35,6 +83,8 @@ struct Neighbourhood {
   }
 
  private:
+  int farCount = 0;
+
   constexpr void collect(unsigned fresh, bool corners) {
     for (int distance = 1; distance <= 2 * D + 2; ++distance) {
       std::array<int, D> d{};
@@ -65,10 +115,12 @@ struct Neighbourhood {
     const int mine = __builtin_popcount(fresh), other = __builtin_popcount(theirs);
     if (near && (corner || beside)) {
       if (corner == corners) diamond[corners ? cornerCount++ : cornerCount + acrossCount++] = step;
-    } else if (corners && other == mine && earlier && siblingCount < kMost) {
+    } else if (corners && other == mine && earlier && siblingCount < kSiblings) {
       siblings[siblingCount++] = step;
-    } else if (corners && (other == 0 || other > mine) && farCount < kMost) {
-      far[farCount++] = step;
+      siblingMask.add(d);
+    } else if (corners && (other == 0 || other > mine) && farCount < kFar) {
+      farMask.add(d);
+      ++farCount;
     }
   }
 };

@@ -1,6 +1,8 @@
 // What the neighbours with known scalars and the signs around tell of a vertex's scalar.
 #pragma once
 
+#include <utility>
+
 #include "scalar_window.h"
 #include "shape_estimate.h"
 
@@ -23,12 +25,16 @@ struct Prediction {
     int64_t sum = 0;
     uint64_t packed = 0;
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
-    for (const Neighbour& n : kAround) {
+    auto add = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {
+      constexpr Neighbour n = kAround[I];
       const int32_t value = here[n.offset];
-      const int64_t known = value == Scalars<D>::kUnknown ? 0 : -1;
-      sum += value * (n.weight & known);
-      packed += n.packed & static_cast<uint64_t>(known);
-    }
+      if (value == Scalars<D>::kUnknown) return;
+      sum += value * n.weight;
+      packed += n.packed;
+    };
+    // Unrolled, so that offsets and weights are constants.
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (add(std::integral_constant<std::size_t, I>{}), ...); }
+    (std::make_index_sequence<kAround.size()>{});
     const auto weight = static_cast<int32_t>(packed & 0xFF);
     if (weight == 0) {
       result.magnitude = own <= 0 ? 0 : own * steps / ShapeEstimate<D>::kPlaneSum;

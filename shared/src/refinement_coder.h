@@ -139,8 +139,10 @@ class RefinementCoder {
 
   template <class Exchange>
   int tellRow(Exchange& ask, std::size_t place, const Row& row) {
+    if (row.open == 0) return 0;
     int told = 0;
     const Bits truth = ask.row(place, row.brick);
+    packs_ = RowPacks<D>::around(&window_.rows[row.window]);
     for (Bits open = row.open; open != 0; open &= open - 1, ++told) {
       const int x = __builtin_ctz(open);
       put(row, x, tell(ask, row, x, (truth >> x & 1) != 0));
@@ -152,6 +154,7 @@ class RefinementCoder {
     const auto bit = static_cast<uint16_t>(1u << (x + Window<D>::kHalo));
     if (((window_.rows[row.window] & bit) != 0) == positive) return;
     window_.rows[row.window] ^= bit;
+    packs_.flip(x + Window<D>::kHalo);
     changed_ = true;
   }
 
@@ -166,18 +169,15 @@ class RefinementCoder {
       return bits;
     };
     const unsigned diamond = gather(n.diamond.data(), n.diamondCount());
-    const unsigned siblings = gather(n.siblings.data(), std::min(n.siblingCount, 13));
-    const unsigned far = gather(n.far.data(), std::min(n.farCount, 24));
-    const int nearSiblings = n.siblingCount > 13 ? 13 : n.siblingCount;
+    const unsigned first7 = gather(n.siblings.data(), 7), first4 = first7 >> 3;
+    const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at);
     const unsigned corners = static_cast<unsigned>(__builtin_popcount(diamond >> n.acrossCount));
     const unsigned across = static_cast<unsigned>(__builtin_popcount(diamond & ((1u << n.acrossCount) - 1)));
-    const unsigned first7 = siblings >> (nearSiblings - 7), first4 = first7 >> 3;
     const auto set = static_cast<unsigned>(row.fresh);
     const std::array<Chance*, kInputs> contexts{
         &near_[set << kNearBits | ((diamond << 4 | first4) & ((1u << kNearBits) - 1))],
         &counts_[set << kCountBits | (((corners * 16 + across) << 7 | first7) & ((1u << kCountBits) - 1))],
-        &wide_[set << kWideBits | (((corners * 9 + across) << 7 | static_cast<unsigned>(__builtin_popcount(siblings) / 2) << 4 |
-                                    static_cast<unsigned>(__builtin_popcount(far) / 2)) &
+        &wide_[set << kWideBits | (((corners * 9 + across) << 7 | siblings / 2 << 4 | far / 2) &
                                    ((1u << kWideBits) - 1))]};
     return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[set * 16 + std::min(corners, 15u)]);
   }
@@ -222,6 +222,7 @@ class RefinementCoder {
   }
 
   Window<D> window_;
+  RowPacks<D> packs_;
   std::array<Row, kBrickRows> rows_;
   int rowCount_ = 0;
   bool changed_ = false;

@@ -21,21 +21,23 @@ class ShapeEstimate {
   /// At bit `at` (x + kHalo) of a window's row.
   [[nodiscard]] static Value of(const Window<D>& window, int row, int at) {
     const uint16_t* here = &window.rows[row];
-    // Of each row of five: weight · sign in the low half, weight · sign · x in the high half.
-    std::array<int32_t, kFives> fives;
-    int32_t total = 0;
-    for (std::size_t n = 0; n < kFives; ++n) {
-      fives[n] = kTable[kFive[n].squares][static_cast<unsigned>(here[kFive[n].row]) >> (at - 2) & 31];
-      total += fives[n];
-    }
+    // Sums over five rows of five, by their distance on axis 1; in each number weight · sign in the low half and
+    // weight · sign · x in the high half.
+    int32_t total = 0, slope1 = 0;
     Value value;
+    for (std::size_t n = 0; n < kFives; n += D > 1 ? 5 : 1) {
+      int32_t plane = five(here, at, n);
+      if constexpr (D > 1) {
+        const int32_t a = plane, b = five(here, at, n + 1), c = five(here, at, n + 2), d = five(here, at, n + 3), e = five(here, at, n + 4);
+        plane += b + c + d + e;
+        slope1 += d - b + 2 * (e - a);
+      }
+      total += plane;
+      for (int axis = 2; axis < D; ++axis) value.slope[axis] += static_cast<int16_t>(plane) * kFive[n].d[axis];
+    }
     value.sum = static_cast<int16_t>(total);
     value.slope[0] = (total - value.sum) >> 16;
-    for (int a = 1; a < D; ++a) {
-      int32_t slope = 0;
-      for (std::size_t n = 0; n < kFives; ++n) slope += static_cast<int16_t>(fives[n]) * kFive[n].d[a];
-      value.slope[a] = slope;
-    }
+    if constexpr (D > 1) value.slope[1] = static_cast<int16_t>(slope1);
     return value;
   }
 
@@ -66,6 +68,10 @@ class ShapeEstimate {
     }
     return all;
   }();
+
+  static int32_t five(const uint16_t* here, int at, std::size_t n) {
+    return kTable[kFive[n].squares][static_cast<unsigned>(here[kFive[n].row]) >> (at - 2) & 31];
+  }
 
   /// 256 e^(-d²/2) by squared distance.
   static constexpr std::array<int, 14> kWeight{256, 155, 94, 57, 35, 21, 13, 8, 5, 3, 2, 1, 1, 0};
