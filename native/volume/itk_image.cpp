@@ -2,7 +2,7 @@
 
 #include <itkImageIOBase.h>
 
-#include <regex>
+#include <cstring>
 
 #include "files/failure.h"
 #include "files/input_file.h"
@@ -12,10 +12,15 @@
 namespace isostar::native {
 namespace {
 
-/// ITK's own words without its class names and addresses.
+/// ITK's own words without its class names and addresses ("itk::ERROR: NrrdImageIO(0x55d0): words") and without the way
+/// that NrrdIO's complaint took ("[nrrd] nrrdLoad: trouble [nrrd] nrrdRead: words").
 std::string plainWords(const itk::ExceptionObject& error) {
-  static const std::regex kClassName("(ITK ERROR: )?\\w+\\(0x[0-9a-fA-F]+\\): ");
-  return oneLine(std::regex_replace(error.GetDescription(), kClassName, ""));
+  std::string words = oneLine(error.GetDescription());
+  for (const char* before : {"): ", "[nrrd] "}) {
+    const size_t at = words.rfind(before);
+    if (at != std::string::npos) words.erase(0, at + std::strlen(before));
+  }
+  return words;
 }
 
 SampleType sampleType(const itk::ImageIOBase& io, const std::string& path) {

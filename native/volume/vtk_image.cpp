@@ -1,10 +1,13 @@
 // VTK's images: .vti and the legacy .vtk with structured points.
+#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
+#include <vtkStructuredPoints.h>
 #include <vtkStructuredPointsReader.h>
 #include <vtkXMLImageDataReader.h>
 
@@ -98,13 +101,21 @@ LoadedVolume load(vtkImageData* image, const std::string& path) {
   return volume;
 }
 
+/// VTK goes on after most of its errors, and misses samples with no more than a warning in its window.
 template <class Reader>
 LoadedVolume readWith(const std::string& path) {
-  vtkObject::GlobalWarningDisplayOff();
+  bool failed = false;
+  const vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&failed);
+  observer->SetCallback([](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+  vtkOutputWindow& window = *vtkOutputWindow::GetInstance();
+  window.AddObserver(vtkCommand::ErrorEvent, observer);
+  window.AddObserver(vtkCommand::WarningEvent, observer);
   const vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (reader->GetErrorCode() != 0) throw Failure(path, "is no VTK image, or it is damaged");
+  window.RemoveObserver(observer);
+  if (failed || reader->GetErrorCode() != 0) throw Failure(path, "is no VTK image, or it is damaged");
   return load(reader->GetOutput(), path);
 }
 
