@@ -28,7 +28,7 @@ const HEAD = {
   file: 'usr/share/mricron/templates/ch2.nii.gz',
   credit: 'MRI, 181×217×181 samples, 1 mm. From Debian’s mricron-data.',
 };
-const SURFACES = [
+export const SURFACES = [
   { id: 'skull-bone', title: 'Skull, bone (CT)', scan: SKULL, isovalue: 226.5, orbit: [-32, 10] },
   { id: 'skull-skin', title: 'Skull, skin (CT)', scan: SKULL, isovalue: -400.5, orbit: [-32, 10] },
   { id: 'head-skin', title: 'Head, skin (MRI)', scan: HEAD, isovalue: 30.5, orbit: [-32, 10] },
@@ -38,7 +38,7 @@ const run = (command, ...options) => execFileSync(command, options, { stdio: ['i
 const isNewer = (file, than) => existsSync(file) && statSync(file).mtimeMs >= statSync(than).mtimeMs;
 
 /** The scan's volume file: the installed one, or the package's own, fetched and unpacked here without being installed. */
-function volumeOf({ package: name, file, member, header }, cache) {
+export function volumeOf({ package: name, file, member, header }, cache) {
   let path = join('/', file);
   if (!existsSync(path)) path = join(cache, name, file);
   if (!existsSync(path)) unpack(name, join(cache, name));

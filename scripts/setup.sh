@@ -8,7 +8,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libxxhash-dev           # the command line and the stream
   libinsighttoolkit5-dev libnifti2-dev                    # volumes
   libgtest-dev libglm-dev                                 # tests, built with everything else
-  libdraco-dev draco libmeshoptimizer-dev                 # what isostar is compared with
+  libdraco-dev draco libmeshoptimizer-dev libzstd-dev     # what isostar is compared with
 )
 if [ "${1:-}" = test ]; then packages+=(chromium); fi
 

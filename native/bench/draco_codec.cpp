@@ -26,8 +26,8 @@ void fill(draco::Mesh& result, const Mesh& mesh) {
   result.SetNumFaces(mesh.triangles.size() / 3);
   for (uint32_t f = 0; f < result.num_faces(); ++f) {
     const uint32_t* corners = &mesh.triangles[3 * size_t{f}];
-    result.SetFace(draco::FaceIndex(f), {draco::PointIndex(corners[0]), draco::PointIndex(corners[1]),
-                                         draco::PointIndex(corners[2])});
+    result.SetFace(draco::FaceIndex(f),
+                   {draco::PointIndex(corners[0]), draco::PointIndex(corners[1]), draco::PointIndex(corners[2])});
   }
 }
 

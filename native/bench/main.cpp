@@ -7,7 +7,6 @@
 #include "bench/memory.h"
 #include "bench/sizes.h"
 #include "bench/times.h"
-#include "cli/choices.h"
 
 namespace {
 
@@ -15,11 +14,8 @@ using namespace isostar::bench;
 
 CLI::App& addSubject(CLI::App& app, const std::string& name, const std::string& help, SubjectRequest& request) {
   CLI::App& command = *app.add_subcommand(name, help);
-  command.add_option("volume", request.volume.path, "A volume, or synthetic:sphere, torus, gyroid or noise")->required();
-  command.add_option("--iso", request.isovalue, "The isovalue; without it Otsu's threshold")->check(isostar::native::kFinite);
-  isostar::native::addSize(command, request.volume.size, "Samples along each axis of a raw volume");
-  isostar::native::addSampleType(command, request.volume.type, "Sample type of a raw volume");
-  isostar::native::addSpacing(command, request.volume.spacing, "Distance of samples");
+  command.add_option("volume", request.path, "A volume, or synthetic:sphere, torus, gyroid or noise")->required();
+  command.add_option("--iso", request.isovalue, "The isovalue; without it Otsu's threshold");
   return command;
 }
 
@@ -32,14 +28,18 @@ int main(int count, char** words) {
 
   SizeOptions sizeOptions;
   CLI::App& sizesCommand = addSubject(app, "sizes", "Bytes and distances", request);
-  sizesCommand.add_option("--points", sizeOptions.points, "Points that tell a distance")->capture_default_str()->check(CLI::PositiveNumber);
-  sizesCommand.add_option("--prefixes", sizeOptions.prefixes, "Prefixes between the layers' ends")->capture_default_str();
+  sizesCommand.add_option("--points", sizeOptions.points, "Points that tell a distance")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  sizesCommand.add_option("--prefixes", sizeOptions.prefixes, "Prefixes between the layers' ends")
+      ->capture_default_str();
   sizesCommand.add_flag("--rate", sizeOptions.rate, "Also other bounds, simplified meshes and other codecs");
   sizesCommand.callback([&] { std::cout << sizes(readSubject(request), sizeOptions) << "\n"; });
 
   TimeOptions timeOptions;
   CLI::App& timesCommand = addSubject(app, "times", "Times of encoders and decoders", request);
-  timesCommand.add_option("--milliseconds", timeOptions.milliseconds, "How long each race lasts")->capture_default_str();
+  timesCommand.add_option("--milliseconds", timeOptions.milliseconds, "How long each race lasts")
+      ->capture_default_str();
   timesCommand.add_option("--keep", timeOptions.keep, "Folder for surface.isostar and surface.drc");
   timesCommand.callback([&] { std::cout << times(readSubject(request), timeOptions) << "\n"; });
 

@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 using measure::Distance;
 
 constexpr double kOtherBounds[] = {0.4, 0.2, 0.1, 0.025, 0.0125};
-constexpr double kRatios[] = {0.7, 0.5, 0.36, 0.26, 0.18, 0.13, 0.09, 0.06, 0.035, 0.02};
+constexpr double kRatios[] = {0.85, 0.7, 0.5, 0.36, 0.26, 0.18, 0.13, 0.09, 0.06, 0.035, 0.02, 0.01, 0.005, 0.0025};
+constexpr double kCoarse = 0.05;                 // ratio below which larger steps pay, too
 constexpr double kShares[] = {0.02, 0.05, 0.1};  // of the default stream, at which low rates are judged
 
 /// Bytes and what they buy; distances are null where there is no surface yet.
@@ -45,7 +46,11 @@ Mesh decodedMesh(const std::vector<std::byte>& stream, const Subject& subject) {
 }
 
 Json layerJson(const LayerInfo& layer) {
-  return {{"kind", layer.kind}, {"level", layer.level}, {"offset", layer.offset}, {"bytes", layer.bytes}, {"error", layer.error}};
+  return {{"kind", layer.kind},
+          {"level", layer.level},
+          {"offset", layer.offset},
+          {"bytes", layer.bytes},
+          {"error", layer.error}};
 }
 
 Json streamJson(const std::vector<std::byte>& stream) {
@@ -61,11 +66,11 @@ Json streamJson(const std::vector<std::byte>& stream) {
           {"layers", layers}};
 }
 
-/// Layer ends, shares, and steps of one factor from the smallest share to the whole.
+/// Layer ends and the bytes just before, shares, and steps of one factor from the smallest share to the whole.
 std::set<size_t> prefixSizes(const StreamInfo& info, int steps) {
   const double all = static_cast<double>(info.bytes);
   std::set<size_t> sizes;
-  for (const LayerInfo& layer : info.layers) sizes.insert(layer.offset);
+  for (const LayerInfo& layer : info.layers) sizes.insert({layer.offset - 1, layer.offset});
   for (double share : kShares) sizes.insert(static_cast<size_t>(share * all));
   for (int i = 1; i < steps; ++i)
     sizes.insert(static_cast<size_t>(all * std::pow(kShares[0], static_cast<double>(i) / steps)));
@@ -79,6 +84,7 @@ Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, cons
   uint64_t shown = 0;
   for (size_t bytes : prefixSizes(info, steps)) {
     const Decoder decoder = decodeIsostar(std::span(stream).first(bytes));
+    if (decoder.level() < 0) continue;  // nothing to be seen yet
     if (decoder.bytes() != shown) distance = ruler.distance(meshInGridSteps(decoder, subject));
     shown = decoder.bytes();
     Json json = point(bytes, distance);
@@ -102,8 +108,8 @@ Json losslessJson(const Subject& subject) {
   return json;
 }
 
-/// From the count at which Draco's step is one grid step, or from 8, to `most`.
-std::vector<int> dracoBits(const Mesh& mesh, int most) {
+/// From 8, or from the count that gives Draco the coarsest step where that is smaller, to `most`.
+std::vector<int> dracoBits(const Mesh& mesh, double coarsestStep, int most) {
   float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
@@ -111,7 +117,8 @@ std::vector<int> dracoBits(const Mesh& mesh, int most) {
   }
   for (int axis = 0; axis < 3; ++axis) side = std::max(side, high[axis] - low[axis]);
   std::vector<int> bits;
-  for (int b = std::clamp(static_cast<int>(std::ceil(std::log2(side))), 3, 8); b <= most; ++b) bits.push_back(b);
+  for (int b = std::clamp(static_cast<int>(std::ceil(std::log2(side / coarsestStep))), 2, 8); b <= most; ++b)
+    bits.push_back(b);
   return bits;
 }
 
@@ -126,7 +133,7 @@ Json dracoPoint(const Mesh& mesh, int level, int bits, const Ruler& ruler) {
 /// Both levels round to the same positions, so that one distance counts for both.
 Json draco(const Mesh& mesh, const Ruler& ruler) {
   Json points = Json::array();
-  for (int bits : dracoBits(mesh, 14)) {
+  for (int bits : dracoBits(mesh, 2, 14)) {
     Json best = dracoPoint(mesh, 10, bits, ruler);
     Json quick = best;
     quick["bytes"] = encodeDraco(mesh, 7, bits).size();
@@ -142,7 +149,7 @@ Json simplifiedDraco(const Mesh& mesh, const Ruler& ruler) {
   for (double ratio : kRatios) {
     const Mesh fewer = simplified(mesh, ratio);
     if (fewer.triangles.empty()) break;
-    for (int bits : dracoBits(mesh, 13)) {
+    for (int bits : dracoBits(mesh, ratio < kCoarse ? 4 : 2, 13)) {
       points.push_back(dracoPoint(fewer, 10, bits, ruler));
       points.back()["ratio"] = ratio;
     }
@@ -152,7 +159,7 @@ Json simplifiedDraco(const Mesh& mesh, const Ruler& ruler) {
 
 Json meshopt(const Mesh& mesh, const Ruler& ruler) {
   Json points = Json::array();
-  for (int bits : dracoBits(mesh, 14)) {
+  for (int bits : dracoBits(mesh, 2, 14)) {
     const MeshoptStream stream = encodeMeshopt(mesh, bits);
     points.push_back(point(stream.bytes, ruler.distance(stream.decoded)));
     points.back()["bits"] = bits;

@@ -4,6 +4,7 @@
 #include "bench/synthetic_field.h"
 #include "files/failure.h"
 #include "volume/placement.h"
+#include "volume/read_volume.h"
 
 namespace isostar::bench {
 namespace {
@@ -11,9 +12,9 @@ namespace {
 constexpr std::string_view kSynthetic = "synthetic:";
 
 Subject readField(const SubjectRequest& request) {
-  const std::string& path = request.volume.path;
+  const std::string& path = request.path;
   if (!path.starts_with(kSynthetic)) {
-    Subject subject{native::readVolume(request.volume), 0, {}};
+    Subject subject{native::readVolume({.path = path}), 0, {}};
     subject.isovalue = request.isovalue ? *request.isovalue : otsuThreshold(subject.volume.samples);
     return subject;
   }

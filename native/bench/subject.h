@@ -4,13 +4,13 @@
 #include <string>
 
 #include "isostar/isostar.h"
-#include "volume/read_volume.h"
+#include "volume/loaded_volume.h"
 
 namespace isostar::bench {
 
 /// What the command line names: a file, or "synthetic:NAME".
 struct SubjectRequest {
-  native::VolumeRequest volume;
+  std::string path;
   std::optional<double> isovalue;  // none: the field's own, or Otsu's threshold
 };
 

@@ -56,7 +56,8 @@ SyntheticField syntheticField(const std::string& name) {
   field.volume.size = recipe.size;
   for (int z = 0; z < recipe.size[2]; ++z) {
     for (int y = 0; y < recipe.size[1]; ++y) {
-      for (int x = 0; x < recipe.size[0]; ++x) field.volume.samples.push_back(static_cast<float>(recipe.value(x, y, z)));
+      for (int x = 0; x < recipe.size[0]; ++x)
+        field.volume.samples.push_back(static_cast<float>(recipe.value(x, y, z)));
     }
   }
   return field;

@@ -18,19 +18,16 @@ constexpr int kBits = 10;
 Json encodeTimes(const Subject& subject, const TimeOptions& options) {
   const auto best = race({[&] { marchingCubes(subject.volume, subject.isovalue); },
                           [&] { encodeIsostar(subject, EncodeOptions{}.maxError); },
-                          [&] { encodeDraco(subject.mesh, 7, kBits); },
-                          [&] { encodeDraco(subject.mesh, 10, kBits); }},
+                          [&] { encodeDraco(subject.mesh, 7, kBits); }, [&] { encodeDraco(subject.mesh, 10, kBits); }},
                          options.milliseconds);
   return {{"marchingCubes", best[0]}, {"isostar", best[1]}, {"draco7", best[2]}, {"draco10", best[3]}};
 }
 
 Json decodeTimes(const Bytes& stream, const Bytes& draco7, const Bytes& draco10, const TimeOptions& options) {
-  const auto best = race({[&] { decodeIsostar(stream); },
-                          [&] { meshOf(decodeIsostar(stream), false); },
-                          [&] { meshOf(decodeIsostar(stream), true); },
-                          [&] { decodeDraco(draco7); },
-                          [&] { decodeDraco(draco10); }},
-                         options.milliseconds);
+  const auto best =
+      race({[&] { decodeIsostar(stream); }, [&] { meshOf(decodeIsostar(stream), false); },
+            [&] { meshOf(decodeIsostar(stream), true); }, [&] { decodeDraco(draco7); }, [&] { decodeDraco(draco10); }},
+           options.milliseconds);
   return {{"isostar", best[0]},
           {"isostarPolygonized", best[1]},
           {"isostarWithNormals", best[2]},
