@@ -1,0 +1,90 @@
+// `npm run bench [-- --data DIR] [--rate] [--quick] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { changes } from './changes.mjs';
+import { mainCriteria, rateCriteria } from './criteria.mjs';
+import { curves, figures } from './figures.mjs';
+import { defaultInputs, inputsOf } from './inputs.mjs';
+import * as native from './native.mjs';
+import { plot } from './plot.mjs';
+import { detail, lowRates, overview, rates } from './tables.mjs';
+import { wasmTimes } from './wasm.mjs';
+
+const AT_ONCE = 2;  // sizes do not depend on what else the machine does; times do, and are taken one after the other
+
+const { values: options } = parseArgs({
+  options: {
+    data: { type: 'string' },  // a folder of NRRD files, with isovalues in its README.md
+    rate: { type: 'boolean' },  // also against simplified meshes and other codecs, at five distances
+    quick: { type: 'boolean' },  // fewer points and rounds
+    only: { type: 'string' },  // surfaces whose name contains this
+    build: { type: 'string', default: fileURLToPath(new URL('../build', import.meta.url)) },
+  },
+});
+const out = fileURLToPath(new URL('out', import.meta.url));
+const build = resolve(options.build);
+const program = join(build, 'isostar_bench');
+
+async function measureSizes(inputs) {
+  const waiting = inputs.map((input, place) => ({ input, place }));
+  const results = [];
+  const worker = async () => {
+    for (let next; (next = waiting.shift());) {
+      results[next.place] = await native.sizes(program, next.input, options);
+      console.log(`${next.input.name}: ${results[next.place].default?.bytes ?? 'no surface, no'} bytes`);
+    }
+  };
+  await Promise.all(Array.from({ length: AT_ONCE }, worker));
+  return results;
+}
+
+async function measureTimes(input) {
+  const folder = join(out, 'files', input.name);
+  mkdirSync(folder, { recursive: true });
+  const times = await native.times(program, input, folder, options);
+  const [stream, draco] = [join(folder, 'surface.isostar'), join(folder, 'surface.drc')];
+  return {
+    times,
+    wasm: await wasmTimes(build, stream, draco, options.quick ? 200 : 1500),
+    memory: { isostar: await native.memory(program, 'isostar', stream), draco: await native.memory(program, 'draco', draco) },
+  };
+}
+
+function print(title, criteria) {
+  console.log(`\n${title}`);
+  const widths = ['what', 'target', 'measured'].map((key) => Math.max(...criteria.map((line) => line[key].length)));
+  for (const { what, target, measured, met } of criteria) {
+    const verdict = met === undefined ? '?' : met ? 'met' : 'MISSED';
+    console.log(`  ${what.padEnd(widths[0])}  ${target.padEnd(widths[1])}  ${measured.padEnd(widths[2])}  ${verdict}`);
+  }
+}
+
+function report(all) {
+  const rated = options.rate ? [rates(all), lowRates(all)] : [];
+  const tables = [overview(all), ...rated, ...all.map(detail)];
+  writeFileSync(join(out, 'table.md'), `# isostar against Draco and others\n\n${tables.join('\n\n')}`);
+  for (const { name, raw } of all) writeFileSync(join(out, `${name}.svg`), plot(name, curves(raw)));
+  console.log(`\n${[overview(all), ...rated].join('\n\n')}`);
+  const changed = changes(all, join(out, 'sizes.json'));
+  if (changed.length) console.log(`\nbytes against the run before\n  ${changed.join('\n  ')}`);
+  print('the comparison', mainCriteria(all));
+  if (options.rate) print('the rate', rateCriteria(all));
+}
+
+const inputs = (options.data ? inputsOf(options.data) : defaultInputs(join(build, 'scans')))
+  .filter(({ name }) => name.includes(options.only ?? ''));
+mkdirSync(out, { recursive: true });
+const surfaces = {};
+const measured = await measureSizes(inputs);
+for (const [place, raw] of measured.entries()) {
+  if (raw.triangles === 0) continue;
+  const { name } = inputs[place];
+  surfaces[name] = { ...raw, ...(await measureTimes(inputs[place])) };
+}
+writeFileSync(join(out, 'results.json'), JSON.stringify({ rate: Boolean(options.rate), surfaces }, null, 1));
+const all = Object.entries(surfaces).map(([name, raw]) => ({ name, raw, ...figures(raw) }));
+if (all.length === 0) throw new Error('bench: nothing to compare');
+report(all);
+console.log(`\nbench/out/: results.json, table.md, ${all.length} plots`);

@@ -1,0 +1,65 @@
+// What the comparison has to show: { what, target, measured, met }.
+import { geometricMean } from './curve.mjs';
+import { fixed } from './format.mjs';
+
+const known = (all, value) => all.map((one) => ({ name: one.name, value: value(one) })).filter(({ value: v }) => v !== undefined && Number.isFinite(v));
+
+function everyOne(what, all, holds) {
+  const misses = all.filter((one) => !holds(one));
+  const names = misses.slice(0, 3).map(({ name }) => name).join(', ');
+  return { what, target: 'every surface', measured: `${all.length - misses.length} of ${all.length}${names && `, not ${names}`}`, met: misses.length === 0 };
+}
+
+/** A mean, with the worst beside it; `worst` says that the target holds for that one as well. */
+function atMost(what, target, all, value, { worst = false, digits = 2 } = {}) {
+  const numbers = known(all, value);
+  if (numbers.length === 0) return { what, target: `≤ ${target}`, measured: 'not measured', met: undefined };
+  const mean = geometricMean(numbers.map(({ value: v }) => v));
+  const highest = numbers.reduce((a, b) => (b.value > a.value ? b : a));
+  return {
+    what,
+    target: `≤ ${target}${worst ? ' each' : ', mean'}`,
+    measured: `mean ${fixed(mean, digits)}, worst ${fixed(highest.value, digits)} (${highest.name})`,
+    met: (worst ? highest.value : mean) <= target,
+  };
+}
+
+export function mainCriteria(all) {
+  const at = (one, rms) => one.rate.find((point) => point.rms === rms);
+  return [
+    everyOne('lossless is marching cubes’ own surface', all, (one) => one.isLossless),
+    everyOne('the default keeps its bound', all, (one) => one.keepsBound),
+    everyOne('every prefix decodes, error falling with bytes', all, (one) => one.rises === 0),
+    atMost('connectivity, bits per vertex', 0.6, all, (one) => one.connectivity),
+    atMost('bytes at RMS 0.05 against Draco level 10', 0.25, all, (one) => 1 / at(one, 0.05).draco10),
+    atMost('decode and polygonize against Draco level 7', 1.5, all, (one) => one.decode, { worst: true }),
+    atMost('the same in WebAssembly against draco3d', 1.5, all, (one) => one.wasm, { worst: true }),
+    atMost('encode against marching cubes and Draco level 7', 1, all, (one) => one.encode7, { worst: true }),
+    atMost('peak memory of the decoder against Draco’s', 2, all, (one) => one.memory, { worst: true }),
+    atMost('first surface, share of the bytes', 0.02, all, (one) => one.firstSurface, { worst: true, digits: 4 }),
+  ];
+}
+
+function smaller(what, target, all, key) {
+  const ratios = known(all.flatMap((one) => one.rate.map((point) => ({ name: `${one.name} at ${point.rms}`, ...point }))), (point) => point[key]);
+  const mean = geometricMean(ratios.map(({ value }) => value));
+  return { what, target: `≥ ${target}`, measured: `${fixed(mean, 2)} over ${ratios.length} ratios`, met: mean >= target, ratios };
+}
+
+export function rateCriteria(all) {
+  const { ratios, ...simplified } = smaller('times smaller than simplify × Draco, mean', 2.5, all, 'simplified');
+  const { ratios: _, ...draco } = smaller('times smaller than Draco level 10, mean', 4.5, all, 'draco10');
+  const lowest = ratios.reduce((a, b) => (b.value < a.value ? b : a), { value: Infinity });
+  const judged = all.reduce((sum, one) => sum + one.prefixes, 0);
+  const farther = all.reduce((sum, one) => sum + one.farther, 0);
+  return [
+    simplified,
+    { what: 'nowhere under', target: '≥ 1.2', measured: `${fixed(lowest.value, 2)} (${lowest.name})`, met: lowest.value >= 1.2 },
+    draco,
+    atMost('connectivity, bits per vertex', 0.48, all, (one) => one.connectivity),
+    { what: 'prefixes from 2 % nearer than simplify × Draco', target: 'every one', measured: `${judged - farther} of ${judged}`, met: farther === 0 },
+    atMost('decode and polygonize against Draco level 7', 1, all, (one) => one.decode, { worst: true }),
+    atMost('the same in WebAssembly against draco3d', 1, all, (one) => one.wasm, { worst: true }),
+    atMost('encode against marching cubes and Draco level 10', 2, all, (one) => one.encode10, { worst: true }),
+  ];
+}

@@ -1,0 +1,98 @@
+// What the raw measurements of one surface mean: ratios, bits per vertex, who is nearer for the same bytes.
+import { bytesAt, envelope, errorAt } from './curve.mjs';
+
+export const ERRORS = [0.01, 0.02, 0.05, 0.1, 0.2];  // RMS, grid steps
+const SHARES = [0.02, 0.05, 0.1];  // of our bytes
+const ROUNDING = 1e-3;  // grid steps: coordinates are floats
+const NOISE = 1.02;  // distances come from samples
+
+const draco = (raw, level) => raw.draco.filter((point) => point.level === level).sort((a, b) => a.bytes - b.bytes);
+
+/** The curves of a plot; a prefix shows what the last layer that it completes shows, so ours keeps every point. */
+export function curves(raw) {
+  const all = {
+    isostar: raw.prefixes,
+    draco7: draco(raw, 7),
+    draco10: envelope(draco(raw, 10)),
+  };
+  if (!raw.simplified) return all;
+  return {
+    ...all,
+    bounds: envelope([...raw.bounds, { bytes: raw.default.bytes, rms: raw.default.rms }]),
+    simplified: envelope([...draco(raw, 10), ...raw.simplified]),
+    meshopt: envelope(raw.meshopt),
+  };
+}
+
+export function figures(raw) {
+  const drawn = curves(raw);
+  const { bits } = raw.default;
+  const first = raw.default.layers[0];
+  return {
+    vertices: raw.vertices,
+    bytes: raw.default.bytes,
+    connectivity: bits.connectivity / raw.vertices,
+    geometry: bits.geometry / raw.vertices,
+    rms: raw.default.rms,
+    max: raw.default.max,
+    keepsBound: raw.default.max <= raw.default.bound + ROUNDING,
+    isLossless: raw.lossless.sameTriangles && raw.lossless.largestDifference <= ROUNDING,
+    rises: raw.prefixes.filter((point, i) => i > 0 && point.rms > NOISE * raw.prefixes[i - 1].rms).length,
+    firstSurface: first.offset / raw.default.bytes,
+    dracoBytes: bytesAt(drawn.draco10, raw.default.rms),
+    ...equalError(drawn),
+    ...(raw.simplified && { lowRates: lowRates(raw, drawn), ...nearer(raw, drawn) }),
+    ...(raw.times && timeRatios(raw)),
+  };
+}
+
+/** How many times smaller at each error; ours is a prefix of the default stream or, with --rate, a stream made for it. */
+function equalError(drawn) {
+  return {
+    rate: ERRORS.map((rms) => {
+      const candidates = [bytesAt(drawn.isostar, rms), drawn.bounds && bytesAt(drawn.bounds, rms)];
+      const prefix = candidates[0];
+      const bytes = Math.min(...candidates.filter((each) => each !== undefined));
+      const times = (curve) => {
+        const theirs = curve && bytesAt(curve, rms);
+        return theirs !== undefined && Number.isFinite(bytes) ? theirs / bytes : undefined;
+      };
+      return {
+        rms,
+        bytes: Number.isFinite(bytes) ? Math.round(bytes) : undefined,
+        prefix: prefix && Math.round(prefix),
+        draco10: times(drawn.draco10),
+        simplified: times(drawn.simplified),
+        meshopt: times(drawn.meshopt),
+      };
+    }),
+  };
+}
+
+/** At small shares of our bytes: our distance and the others'. */
+function lowRates(raw, drawn) {
+  return SHARES.map((share) => {
+    const bytes = Math.floor(share * raw.default.bytes);
+    const ours = raw.prefixes.findLast((point) => point.bytes <= bytes);
+    return { share, bytes, isostar: ours?.rms, simplified: errorAt(drawn.simplified, bytes) };
+  });
+}
+
+/** Prefixes from the smallest share up, and those among them that are farther from the source than the envelope. */
+function nearer(raw, drawn) {
+  const judged = raw.prefixes.filter((point) => point.bytes >= Math.floor(SHARES[0] * raw.default.bytes));
+  const farther = judged.filter((point) => point.rms > (errorAt(drawn.simplified, point.bytes) ?? Infinity));
+  return { prefixes: judged.length, farther: farther.length };
+}
+
+function timeRatios({ times: { encode, decode }, wasm, memory }) {
+  return {
+    decode: decode.isostarPolygonized / decode.draco7,
+    decodeWithNormals: decode.isostarWithNormals / decode.draco7,
+    wasm: wasm.isostarPolygonized / wasm.draco7,
+    wasmWithNormals: wasm.isostarWithNormals / wasm.draco7,
+    encode7: encode.isostar / (encode.marchingCubes + encode.draco7),
+    encode10: encode.isostar / (encode.marchingCubes + encode.draco10),
+    memory: memory.isostar / memory.draco,
+  };
+}

@@ -1,0 +1,21 @@
+// Runs the native program, which prints JSON.
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { text } from 'node:stream/consumers';
+
+async function run(program, words) {
+  const child = spawn(program, words, { stdio: ['ignore', 'pipe', 'inherit'] });
+  const [output, [status]] = await Promise.all([text(child.stdout), once(child, 'close')]);
+  if (status !== 0) throw new Error(`${words.join(' ')}: exit status ${status}`);
+  return JSON.parse(output);
+}
+
+const subject = ({ volume, isovalue }) => [volume, ...(isovalue === undefined ? [] : ['--iso', String(isovalue)])];
+
+export const sizes = (program, input, { rate, quick }) =>
+  run(program, ['sizes', ...subject(input), ...(rate ? ['--rate'] : []), ...(quick ? ['--points', '2000', '--prefixes', '6'] : [])]);
+
+export const times = (program, input, folder, { quick }) =>
+  run(program, ['times', ...subject(input), '--keep', folder, '--milliseconds', quick ? '200' : '1500']);
+
+export const memory = (program, codec, file) => run(program, ['memory', codec, file]);
