@@ -43,7 +43,7 @@ void forgetPlacement(LoadedVolume& volume) {
 }  // namespace
 
 LoadedVolume readTiff(const std::string& path) {
-  requireWholePageList(path);
+  requireEqualPages(path);
   LoadedVolume volume = readWholeImage(*itk::TIFFImageIO::New(), path, true);
   forgetPlacement(volume);
   return volume;

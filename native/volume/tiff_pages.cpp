@@ -5,6 +5,7 @@
 #include <set>
 
 #include "files/failure.h"
+#include "files/text.h"
 
 namespace isostar::native {
 namespace {
@@ -21,15 +22,49 @@ class PageList {
 
   void walk() {
     std::set<uint64_t> seen;
+    Size first;
     for (uint64_t page = link(); page != 0; page = link()) {
       if (!seen.insert(page).second) throw Failure(path_, "its list of pages runs in a circle");
       file_.seekg(static_cast<std::streamoff>(page));
-      const uint64_t entries = number(large_ ? 8 : 2);
-      file_.seekg(static_cast<std::streamoff>(entries * (large_ ? 20 : 12)), std::ios::cur);
+      const Size size = readDirectory();
+      if (size.thumbnail) continue;
+      if (first.width == 0) first = size;
+      if (size.width != first.width || size.height != first.height)
+        throw Failure(path_, text("page %zu is %llu x %llu, the first %llu x %llu", seen.size(), size.width,
+                                  size.height, first.width, first.height));
     }
   }
 
  private:
+  struct Size {
+    unsigned long long width = 0, height = 0;
+    bool thumbnail = false;
+  };
+
+  static constexpr uint64_t kKindOfPage = 254, kWidth = 256, kHeight = 257;
+
+  Size readDirectory() {
+    Size size;
+    for (uint64_t entries = number(large_ ? 8 : 2); entries > 0; --entries) {
+      const uint64_t tag = number(2), type = number(2);
+      number(large_ ? 8 : 4);
+      const uint64_t value = readValue(type);
+      if (tag == kKindOfPage) size.thumbnail = value & 1;
+      if (tag == kWidth) size.width = value;
+      if (tag == kHeight) size.height = value;
+    }
+    return size;
+  }
+
+  /// The value of a directory entry where it is one number: at the start of its room, whatever the order of bytes.
+  uint64_t readValue(uint64_t type) {
+    constexpr uint64_t kShort = 3, kLong8 = 16;
+    const int room = large_ ? 8 : 4, bytes = type == kShort ? 2 : type == kLong8 ? room : 4;
+    const uint64_t value = number(bytes);
+    for (int i = bytes; i < room; ++i) number(1);
+    return value;
+  }
+
   uint64_t link() { return number(large_ ? 8 : 4); }
 
   uint64_t number(int bytes) {
@@ -49,7 +84,7 @@ class PageList {
 
 }  // namespace
 
-void requireWholePageList(const std::string& path) {
+void requireEqualPages(const std::string& path) {
   PageList(path).walk();
 }
 

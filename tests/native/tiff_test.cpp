@@ -5,11 +5,16 @@
 namespace isostar::native {
 namespace {
 
+struct Page {
+  uint32_t width, height;
+  std::string samples;
+};
+
 /// A little-endian TIFF with one strip of bytes a page.
-std::string tiff(uint32_t width, uint32_t height, const std::vector<std::string>& pages, uint16_t samplesPerPixel = 1) {
+std::string tiff(const std::vector<Page>& pages, uint16_t samplesPerPixel = 1) {
   std::string file = std::string("II*\0", 4) + std::string(4, '\0');
   size_t link = 4;
-  for (const std::string& page : pages) {
+  for (const auto& [width, height, page] : pages) {
     const auto strip = static_cast<uint32_t>(file.size());
     file += page + std::string(page.size() % 2, '\0');
     const auto directory = static_cast<uint32_t>(file.size());
@@ -26,16 +31,16 @@ std::string tiff(uint32_t width, uint32_t height, const std::vector<std::string>
   return file;
 }
 
-std::string page(uint8_t first) {
+Page page(uint8_t first, uint32_t width = 2, uint32_t height = 3) {
   std::string samples;
-  for (int i = 0; i < 6; ++i) samples += static_cast<char>(first + i);
-  return samples;
+  for (uint32_t i = 0; i < width * height; ++i) samples += static_cast<char>(first + i);
+  return {width, height, samples};
 }
 
 using Tiff = ScratchFolder;
 
 TEST_F(Tiff, readsThePagesOfAFile) {
-  const LoadedVolume volume = readPath(write("v.tif", tiff(2, 3, {page(0), page(6), page(12), page(18)})));
+  const LoadedVolume volume = readPath(write("v.tif", tiff({page(0), page(6), page(12), page(18)})));
   EXPECT_EQ(volume.size, (std::array<int32_t, 3>{2, 3, 4}));
   expectCounting(volume.samples);
   expectPoint(volume.placement.spacing, 1, 1, 1);
@@ -44,7 +49,7 @@ TEST_F(Tiff, readsThePagesOfAFile) {
 
 TEST_F(Tiff, readsAFolderInTheOrderOfItsNumbers) {
   for (int k = 8; k < 12; ++k)
-    write("slice" + std::to_string(k) + ".tif", tiff(2, 3, {page(static_cast<uint8_t>(6 * (k - 8)))}));
+    write("slice" + std::to_string(k) + ".tif", tiff({page(static_cast<uint8_t>(6 * (k - 8)))}));
   write("notes.txt", "slices");
   const LoadedVolume volume = readPath(path(""));
   EXPECT_EQ(volume.size, (std::array<int32_t, 3>{2, 3, 4}));
@@ -52,14 +57,19 @@ TEST_F(Tiff, readsAFolderInTheOrderOfItsNumbers) {
 }
 
 TEST_F(Tiff, refusesSlicesOfDifferentSize) {
-  write("1.tif", tiff(2, 3, {page(0)}));
-  write("2.tif", tiff(3, 2, {page(0)}));
+  write("1.tif", tiff({page(0)}));
+  write("2.tif", tiff({page(0, 3, 2)}));
   EXPECT_NE(complaint(path("")).find("differs from"), std::string::npos);
 }
 
+TEST_F(Tiff, refusesPagesOfDifferentSize) {
+  const std::string found = complaint(write("v.tif", tiff({page(0, 4, 4), page(0, 3, 5), page(0, 4, 4)})));
+  EXPECT_NE(found.find("page 2 is 3 x 5, the first 4 x 4"), std::string::npos) << found;
+}
+
 TEST_F(Tiff, refusesColoursAndCutFiles) {
-  EXPECT_NE(complaint(write("v.tif", tiff(2, 1, {page(0)}, 3))).find("3 values a sample"), std::string::npos);
-  const std::string whole = tiff(2, 3, {page(0), page(6)});
+  EXPECT_NE(complaint(write("v.tif", tiff({{2, 1, "rgbrgb"}}, 3))).find("3 values a sample"), std::string::npos);
+  const std::string whole = tiff({page(0), page(6)});
   for (size_t length = 0; length + 1 < whole.size(); ++length)
     EXPECT_NE(complaint(write("v.tif", whole.substr(0, length))), "") << "cut at " << length;
 }
