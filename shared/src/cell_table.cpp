@@ -1,8 +1,7 @@
 #include "cell_table.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <vector>
 
 namespace isostar {
 namespace {
@@ -17,18 +16,12 @@ Point middle(const CellEdge& e) {
   return p;
 }
 
-uint8_t place(std::vector<CellEdge>& edges, CellEdge e) {
-  auto at = std::find(edges.begin(), edges.end(), e);
-  if (at == edges.end()) at = edges.insert(edges.end(), e);
-  return static_cast<uint8_t>(at - edges.begin());
-}
-
 /// A segment of the surface on a face, from one crossed edge to another, positive side on its left seen from outside.
 struct Segment {
   CellEdge from, to;
 };
 
-/// The axis edge between two corners of a cell.
+/// The edge between two corners of a cell.
 CellEdge between(unsigned a, unsigned b) { return {static_cast<uint8_t>(a & b), static_cast<uint8_t>(a ^ b)}; }
 
 /// A face's corners in counter-clockwise order, seen from outside the cell.
@@ -59,21 +52,21 @@ unsigned facesOf(const CellEdge& e) {
 }
 
 /// Cuts a polygon into triangles without a diagonal inside a face: such a one would meet its like in the next cell.
-bool cut(const std::vector<uint8_t>& polygon, const std::vector<CellEdge>& edges, std::vector<std::array<uint8_t, 3>>& out) {
+bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
   const std::size_t n = polygon.size();
   if (n == 3) {
-    out.push_back({polygon[0], polygon[1], polygon[2]});
+    result.add({polygon[0], polygon[1], polygon[2]});
     return true;
   }
   for (std::size_t i = 0; i < n; ++i) {
     const uint8_t before = polygon[(i + n - 1) % n], ear = polygon[i], after = polygon[(i + 1) % n];
-    if ((facesOf(edges[before]) & facesOf(edges[after])) != 0) continue;
+    if ((facesOf(result.edges[before]) & facesOf(result.edges[after])) != 0) continue;
     std::vector<uint8_t> rest = polygon;
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-    const std::size_t size = out.size();
-    out.push_back({before, ear, after});
-    if (cut(rest, edges, out)) return true;
-    out.resize(size);
+    const uint8_t count = result.triangleCount;
+    result.add({before, ear, after});
+    if (cut(rest, result)) return true;
+    result.triangleCount = count;
   }
   return false;
 }
@@ -90,20 +83,17 @@ CellCase cubesCase(unsigned signs) {
     CellEdge at = first;
     do {
       const auto next = std::find_if(segments.begin(), segments.end(), [&](const Segment& s) { return s.from == at; });
-      polygon.push_back(place(result.edges, at));
+      polygon.push_back(result.number(at));
       at = next->to;
       segments.erase(next);
     } while (!(at == first));
     // The segments keep the positive side on their left seen from outside; seen from the negative side the polygon
     // they bound inside the cell then turns clockwise.
     std::reverse(polygon.begin(), polygon.end());
-    cut(polygon, result.edges, result.triangles);
+    cut(polygon, result);
   }
   return result;
 }
-
-/// The edge of the RBMT between two corners of a cell.
-CellEdge rbmtEdge(unsigned a, unsigned b) { return {static_cast<uint8_t>(a & b), static_cast<uint8_t>(a ^ b)}; }
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double volume(const Point& a, const Point& b, const Point& c) {
@@ -115,7 +105,7 @@ void addTriangle(CellCase& result, std::array<CellEdge, 3> edges, unsigned posit
   const Point corner{double(positiveCorner & 1), double(positiveCorner >> 1 & 1), double(positiveCorner >> 2 & 1)};
   const Point a = middle(edges[0]), b = middle(edges[1]), c = middle(edges[2]);
   if (volume(minus(b, a), minus(c, a), minus(corner, a)) > 0) std::swap(edges[1], edges[2]);
-  result.triangles.push_back({place(result.edges, edges[0]), place(result.edges, edges[1]), place(result.edges, edges[2])});
+  result.add({result.number(edges[0]), result.number(edges[1]), result.number(edges[2])});
 }
 
 CellCase tetrahedraCase(unsigned signs, unsigned parity) {
@@ -130,29 +120,35 @@ CellCase tetrahedraCase(unsigned signs, unsigned parity) {
     if (above.size() == 1 || below.size() == 1) {
       const unsigned lone = above.size() == 1 ? above[0] : below[0];
       const auto& rest = above.size() == 1 ? below : above;
-      addTriangle(result, {rbmtEdge(lone, rest[0]), rbmtEdge(lone, rest[1]), rbmtEdge(lone, rest[2])}, above[0]);
+      addTriangle(result, {between(lone, rest[0]), between(lone, rest[1]), between(lone, rest[2])}, above[0]);
     } else if (above.size() == 2) {
-      addTriangle(result, {rbmtEdge(above[0], below[0]), rbmtEdge(above[0], below[1]), rbmtEdge(above[1], below[1])}, above[0]);
-      addTriangle(result, {rbmtEdge(above[0], below[0]), rbmtEdge(above[1], below[1]), rbmtEdge(above[1], below[0])}, above[1]);
+      addTriangle(result, {between(above[0], below[0]), between(above[0], below[1]), between(above[1], below[1])}, above[0]);
+      addTriangle(result, {between(above[0], below[0]), between(above[1], below[1]), between(above[1], below[0])}, above[1]);
     }
   } while (std::next_permutation(axes.begin(), axes.end()));
   return result;
 }
 
-std::array<CellTable, 9> allTables() {
-  std::array<CellTable, 9> tables;
-  for (unsigned signs = 0; signs < 256; ++signs) {
-    tables[8][signs] = cubesCase(signs);
-    for (unsigned parity = 0; parity < 8; ++parity) tables[parity][signs] = tetrahedraCase(signs, parity);
-  }
-  return tables;
+template <class MakeCase>
+CellTable tabulate(MakeCase makeCase) {
+  CellTable table;
+  for (unsigned signs = 0; signs < 256; ++signs) table[signs] = makeCase(signs);
+  return table;
 }
 
 }  // namespace
 
 const CellTable& cellTable(Polygonizer polygonizer, unsigned parity) {
-  static const std::array<CellTable, 9> kTables = allTables();
-  return kTables[polygonizer == Polygonizer::Cubes ? 8 : parity];
+  if (polygonizer == Polygonizer::Cubes) {
+    static const CellTable kCubes = tabulate(cubesCase);
+    return kCubes;
+  }
+  static const std::array<CellTable, 8> kTetrahedra = [] {
+    std::array<CellTable, 8> tables;
+    for (unsigned p = 0; p < 8; ++p) tables[p] = tabulate([p](unsigned signs) { return tetrahedraCase(signs, p); });
+    return tables;
+  }();
+  return kTetrahedra[parity];
 }
 
 }  // namespace isostar

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "isostar/isostar.h"
 
@@ -20,8 +20,19 @@ struct CellEdge {
 
 /// What the surface is inside a cell: the edges it crosses, and triangles over those.
 struct CellCase {
-  std::vector<CellEdge> edges;
-  std::vector<std::array<uint8_t, 3>> triangles;  // counter-clockwise seen from the negative side
+  static constexpr std::size_t kMostEdges = 19, kMostTriangles = 12;
+  uint8_t edgeCount = 0, triangleCount = 0;
+  std::array<CellEdge, kMostEdges> edges{};
+  std::array<std::array<uint8_t, 3>, kMostTriangles> triangles{};  // counter-clockwise seen from the negative side
+
+  void add(const std::array<uint8_t, 3>& triangle) { triangles[triangleCount++] = triangle; }
+  /// The edge's number in the case; it is added if it is new.
+  uint8_t number(CellEdge e) {
+    uint8_t n = 0;
+    while (n < edgeCount && !(edges[n] == e)) ++n;
+    if (n == edgeCount) edges[edgeCount++] = e;
+    return n;
+  }
 };
 
 /// The cases of one polygonizer, by the signs of the corners (bit c: corner c is positive).

@@ -193,12 +193,14 @@ Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   if (!state_->based) return Error::None;
   const Knowledge& known = *state_->known;
   const Header& header = *state_->header;
+  const Surface surface{known.signs, known.scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, header.placement};
+  const bool diagonals = options.polygonizer == Polygonizer::Tetrahedra;
+  if (!state_->tornShown && known.told[0] && (known.told[1] || !diagonals)) return polygonize(surface, options, state_->limits.vertices, out);
   const auto active = known.active.empty() ? activeBricks(known.signs) : known.active;
   Scalars<3> scalars = known.active.empty() ? Scalars<3>(active.size()) : known.scalars;
   estimateMissing(known.signs, active, Members::AxisEnds, scalars);
-  if (options.polygonizer == Polygonizer::Tetrahedra) estimateMissing(known.signs, active, Members::DiagonalEnds, scalars);
-  return polygonize({known.signs, scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, header.placement}, options,
-                    state_->limits.vertices, out);
+  if (diagonals) estimateMissing(known.signs, active, Members::DiagonalEnds, scalars);
+  return polygonize({known.signs, scalars, surface.positiveOffset, surface.negativeOffset, header.placement}, options, state_->limits.vertices, out);
 }
 
 }  // namespace isostar

@@ -71,6 +71,7 @@ struct Knowledge {
       scalars = Scalars<3>(active.size());
     }
     if (pass.kind == LayerKind::Octaves) {
+      told[static_cast<std::size_t>(pass.members)] = true;
       coder.tellOctaves(ask, signs, scalars, pass.members, pass.depth, active);
     } else {
       coder.refine(ask, signs, scalars, pass.members, pass.allowed, pass.most, pass.selective, active);
@@ -82,6 +83,7 @@ struct Knowledge {
   RefinementCoder<3> refinement;
   std::vector<uint8_t> active;  // bricks of the finest octave; empty before the first geometry layer
   Scalars<3> scalars;
+  std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
   GeometryCoder<3> coder;
 };
 

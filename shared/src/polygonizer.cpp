@@ -53,7 +53,9 @@ class Polygonization {
  public:
   Polygonization(const Surface& surface, const MeshOptions& options, Mesh& out)
       : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
-        out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {}
+        out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
+    for (unsigned parity = 0; parity < 8; ++parity) tables_[parity] = &cellTable(options.polygonizer, parity);
+  }
 
   Error run(uint64_t mostVertices) {
     uint32_t bricks = 0;
@@ -196,19 +198,22 @@ class Polygonization {
   }
 
   void cutCell(const std::array<const EdgeIndex*, 8>& near, unsigned signs, unsigned x, unsigned r) {
-    const CellCase& shape = cellTable(options_.polygonizer, (x & 1) | (r & 1) << 1 | (r >> 3 & 1) << 2)[signs];
-    std::array<uint32_t, 19> ids;
-    for (std::size_t e = 0; e < shape.edges.size(); ++e) {
+    const CellCase& shape = (*tables_[(x & 1) | (r & 1) << 1 | (r >> 3 & 1) << 2])[signs];
+    std::array<uint32_t, CellCase::kMostEdges> ids;
+    for (std::size_t e = 0; e < shape.edgeCount; ++e) {
       const CellEdge edge = shape.edges[e];
       const unsigned ex = x + (edge.corner & 1), ey = (r & 7) + (edge.corner >> 1 & 1), ez = (r >> 3) + (edge.corner >> 2 & 1);
       const EdgeIndex* index = near[ex >> 3 | (ey >> 3) << 1 | (ez >> 3) << 2];
       ids[e] = index->vertex(edge.axes, (ey & 7) | (ez & 7) << 3, ex & 7);
     }
-    const bool mirrors = mirrors_;
-    for (const auto& t : shape.triangles) {
-      out_.triangles.push_back(ids[t[0]]);
-      out_.triangles.push_back(ids[mirrors ? t[2] : t[1]]);
-      out_.triangles.push_back(ids[mirrors ? t[1] : t[2]]);
+    const std::size_t size = out_.triangles.size();
+    out_.triangles.resize(size + std::size_t{shape.triangleCount} * 3);
+    uint32_t* next = &out_.triangles[size];
+    for (std::size_t i = 0; i < shape.triangleCount; ++i, next += 3) {
+      const auto& t = shape.triangles[i];
+      next[0] = ids[t[0]];
+      next[mirrors_ ? 2 : 1] = ids[t[1]];
+      next[mirrors_ ? 1 : 2] = ids[t[2]];
     }
   }
 
@@ -218,6 +223,7 @@ class Polygonization {
   MeshOptions options_;
   Frames frames_;
   bool mirrors_ = frames_.mirrors();
+  std::array<const CellTable*, 8> tables_{};
   Mesh& out_;
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;

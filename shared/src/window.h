@@ -30,7 +30,7 @@ class Window {
     const auto& lattice = signs.lattice();
     const auto& table = signs.table();
     // The bricks around, three a row of bricks; a place beyond the table is never read thanks to the mirror.
-    std::array<const uint8_t*, power(3, D)> near;
+    Near near;
     for (std::size_t n = 0; n < near.size(); ++n) {
       std::size_t place = 0, digits = n;
       for (int a = 0; a < D; ++a, digits /= 3) {
@@ -39,6 +39,65 @@ class Window {
       }
       near[n] = signs.brickAt(place).rows.data();
     }
+    bool interior = true;
+    for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
+    if (interior) {
+      loadInterior(near);
+    } else {
+      loadAtBorder(near, lattice, brick);
+    }
+  }
+
+  std::array<uint16_t, kRows> rows;
+
+ private:
+  using Near = std::array<const uint8_t*, power(3, D)>;
+
+  static uint16_t joined(uint8_t before, uint8_t here, uint8_t after) {
+    return static_cast<uint16_t>((before >> (kBrickSide - kHalo) | here << kHalo | after << (kBrickSide + kHalo)) & ((1 << kSide) - 1));
+  }
+
+  /// Copies first, so that the compiler sees that nothing overlaps.
+  template <int Run>
+  static void join(const uint8_t* before, const uint8_t* here, const uint8_t* after, uint16_t* out) {
+    std::array<uint8_t, Run> b, h, a;
+    std::array<uint16_t, Run> joint;
+    std::copy_n(before, Run, b.begin());
+    std::copy_n(here, Run, h.begin());
+    std::copy_n(after, Run, a.begin());
+    for (int i = 0; i < Run; ++i) joint[i] = joined(b[i], h[i], a[i]);
+    std::copy_n(joint.begin(), Run, out);
+  }
+
+  /// Rows come in runs along axis 1: the last of one brick, all of the next, the first of the one after.
+  void loadInterior(const Near& near) {
+    std::array<int, D> plane{};
+    plane.fill(-kHalo);
+    for (int r = 0; r < kRows;) {
+      std::size_t n = 0, first = 0;
+      for (int a = D - 1; a >= 1; --a) {
+        n = n * 3 + static_cast<std::size_t>((plane[a] + kBrickSide) / kBrickSide);
+        first = first * kBrickSide + static_cast<std::size_t>(plane[a] & (kBrickSide - 1));
+      }
+      const int run = plane[1] >= 0 && plane[1] < kBrickSide ? kBrickSide : kHalo;
+      const uint8_t* before = near[n * 3] + first;
+      const uint8_t* here = near[n * 3 + 1] + first;
+      const uint8_t* after = near[n * 3 + 2] + first;
+      if (run == kBrickSide) {
+        join<kBrickSide>(before, here, after, &rows[static_cast<std::size_t>(r)]);
+      } else {
+        join<kHalo>(before, here, after, &rows[static_cast<std::size_t>(r)]);
+      }
+      r += run;
+      plane[1] += run;
+      for (int a = 1; a < D - 1 && plane[a] == kBrickSide + kHalo; ++a) {
+        plane[a] = -kHalo;
+        ++plane[a + 1];
+      }
+    }
+  }
+
+  void loadAtBorder(const Near& near, const Lattice<D>& lattice, const Coordinates<D>& brick) {
     // For each outer axis and plane of the window: which of the three bricks, and which rows of it.
     std::array<std::array<uint8_t, kSide>, D> nearAt{}, rowAt{};
     for (int a = 1; a < D; ++a) {
@@ -50,8 +109,6 @@ class Window {
         rowAt[a][i] = static_cast<uint8_t>(plane & 7);
       }
     }
-    const int32_t x0 = brick[0] * kBrickSide;
-    const bool mirror = x0 == 0 || x0 + kBrickSide + kHalo > lattice.last[0];
     std::array<int, D> i{};
     for (int r = 0; r < kRows; ++r) {
       std::size_t n = 0, row = 0;
@@ -59,17 +116,11 @@ class Window {
         n += nearAt[a][i[a]];
         row = row * kBrickSide + rowAt[a][i[a]];
       }
-      uint32_t bits = uint32_t{near[n][row]} >> (kBrickSide - kHalo) | uint32_t{near[n + 1][row]} << kHalo |
-                      uint32_t{near[n + 2][row]} << (kBrickSide + kHalo);
-      bits &= (1u << kSide) - 1;
-      rows[r] = static_cast<uint16_t>(mirror ? mirrored(lattice, x0, bits) : bits);
+      rows[r] = static_cast<uint16_t>(mirrored(lattice, brick[0] * kBrickSide, joined(near[n][row], near[n + 1][row], near[n + 2][row])));
       for (int a = 1; a < D && ++i[a] == kSide; ++a) i[a] = 0;
     }
   }
 
-  std::array<uint16_t, kRows> rows;
-
- private:
   static uint32_t mirrored(const Lattice<D>& lattice, int32_t x0, uint32_t bits) {
     uint32_t result = bits;
     for (int i = 0; i < kSide; ++i) {
