@@ -137,7 +137,7 @@ class Polygonization {
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
       if (axes == 1u << a) gradient[a] = (scalar(ends.oddAt) - scalar(ends.evenAt)) * (ends.odd[a] - ends.even[a]);
-      else gradient[a] = across(ends.evenAt, ends.oddAt, t, a);
+      else gradient[a] = across(ends, t, a);
     }
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
@@ -145,16 +145,19 @@ class Polygonization {
   }
 
   /// The field's difference along an axis across an edge, from the neighbours of its ends whose scalars are known.
-  [[nodiscard]] double across(int evenAt, int oddAt, double t, int axis) const {
+  [[nodiscard]] double across(const EdgeEnds& ends, double t, int axis) const {
     const int step = ScalarWindow<3>::stride(axis);
     double sum = 0, weight = 0;
-    for (const auto& [at, share] : {std::pair{evenAt, 1 - t}, std::pair{oddAt, t}}) {
+    auto add = [&](int at, double share, bool ahead) {
       for (const int side : {-1, 1}) {
-        if (!known(at + side * step)) continue;
+        if ((side > 0 && !ahead) || !known(at + side * step)) continue;
         sum += (share + 0.01) * side * (scalar(at + side * step) - scalar(at));
         weight += share + 0.01;
       }
-    }
+    };
+    // The further end of a diagonal may be the last vertex of the window.
+    add(ends.evenAt, 1 - t, ends.even[axis] <= ends.odd[axis]);
+    add(ends.oddAt, t, ends.odd[axis] <= ends.even[axis]);
     return weight > 0 ? sum / weight : 0;
   }
 
