@@ -16,7 +16,8 @@ Point middle(const CellEdge& e) {
   return p;
 }
 
-/// A segment of the surface on a face, from one crossed edge to another, positive side on its left seen from outside.
+/// A segment of the surface on a face, from one crossed edge to another, positive side on its left seen from outside
+/// the cell: the polygon that they make turns counter-clockwise seen from the negative side.
 struct Segment {
   CellEdge from, to;
 };
@@ -87,9 +88,6 @@ CellCase cubesCase(unsigned signs) {
       at = next->to;
       segments.erase(next);
     } while (!(at == first));
-    // The segments keep the positive side on their left seen from outside; seen from the negative side the polygon
-    // they bound inside the cell then turns clockwise.
-    std::reverse(polygon.begin(), polygon.end());
     cut(polygon, result);
   }
   return result;

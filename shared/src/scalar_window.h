@@ -26,24 +26,37 @@ struct ScalarWindow {
       }
       near[n] = inside ? scalars.at(place).value.data() : scalars.nothing().value.data();
     }
+    for (std::size_t i = 0; i < kSources.size(); ++i) {
+      const int32_t* const* const source = &near[kSources[i].near];
+      const std::size_t row = kSources[i].row;
+      int32_t* out = &value[i * kSide];
+      out[0] = source[0][row + kBrickSide - 1];
+      std::copy_n(source[1] + row, kBrickSide, out + 1);
+      out[kSide - 1] = source[2][row];
+    }
+  }
+
+ private:
+  /// Where a row of the window comes from: the first of three bricks in a row, and the first vertex in each.
+  struct Source {
+    uint16_t near = 0, row = 0;
+  };
+  static constexpr std::array<Source, power(kSide, D - 1)> kSources = [] {
+    std::array<Source, power(kSide, D - 1)> sources{};
     std::array<int, D> v{};
     v.fill(-1);
-    for (std::size_t at = 0; at < value.size(); at += kSide) {
+    for (Source& source : sources) {
       std::size_t n = 0, row = 0;
       for (int a = D - 1; a >= 1; --a) {
         n = n * 3 + static_cast<std::size_t>((v[a] + kBrickSide) / kBrickSide);
         row = row * kBrickSide + static_cast<std::size_t>(v[a] & (kBrickSide - 1));
       }
-      n *= 3;
-      row *= kBrickSide;
-      value[at] = near[n][row + kBrickSide - 1];
-      std::copy_n(near[n + 1] + row, kBrickSide, &value[at + 1]);
-      value[at + kSide - 1] = near[n + 2][row];
+      source = {static_cast<uint16_t>(n * 3), static_cast<uint16_t>(row * kBrickSide)};
       for (int a = 1; a < D && ++v[a] == kBrickSide + 1; ++a) v[a] = -1;
     }
-  }
+    return sources;
+  }();
 
- private:
   static constexpr std::array<int, power(kBrickSide, D - 1)> kRowIndex = [] {
     std::array<int, power(kBrickSide, D - 1)> index{};
     for (std::size_t r = 0; r < index.size(); ++r) {

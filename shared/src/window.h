@@ -29,18 +29,9 @@ class Window {
   void load(const Signs<D>& signs, const Coordinates<D>& brick) {
     const auto& lattice = signs.lattice();
     const auto& table = signs.table();
-    // The bricks around, three a row of bricks; a place beyond the table is never read thanks to the mirror.
-    Near near;
-    for (std::size_t n = 0; n < near.size(); ++n) {
-      std::size_t place = 0, digits = n;
-      for (int a = 0; a < D; ++a, digits /= 3) {
-        const int32_t at = std::clamp(brick[a] + static_cast<int32_t>(digits % 3) - 1, 0, table.count(a) - 1);
-        place += static_cast<std::size_t>(at) * table.stride(a);
-      }
-      near[n] = signs.brickAt(place).rows.data();
-    }
     bool interior = true;
     for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
+    const Near near = bricksAround(signs, brick, interior);
     if (interior) {
       loadInterior(near);
     } else {
@@ -52,6 +43,25 @@ class Window {
 
  private:
   using Near = std::array<const uint8_t*, power(3, D)>;
+
+  /// Three a row of bricks; a place beyond the table is never read thanks to the mirror.
+  static Near bricksAround(const Signs<D>& signs, const Coordinates<D>& brick, bool interior) {
+    const auto& table = signs.table();
+    const auto centre = static_cast<std::ptrdiff_t>(table.place(brick));
+    Near near;
+    std::array<int32_t, D> d;
+    d.fill(-1);
+    for (const uint8_t*& rowsOfBrick : near) {
+      std::ptrdiff_t place = centre;
+      for (int a = 0; a < D; ++a) {
+        const int32_t step = interior ? d[a] : std::clamp(brick[a] + d[a], 0, table.count(a) - 1) - brick[a];
+        place += step * static_cast<std::ptrdiff_t>(table.stride(a));
+      }
+      rowsOfBrick = signs.brickAt(static_cast<std::size_t>(place)).rows.data();
+      for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+    }
+    return near;
+  }
 
   static uint16_t joined(uint8_t before, uint8_t here, uint8_t after) {
     return static_cast<uint16_t>((before >> (kBrickSide - kHalo) | here << kHalo | after << (kBrickSide + kHalo)) & ((1 << kSide) - 1));
@@ -109,6 +119,8 @@ class Window {
         rowAt[a][i] = static_cast<uint8_t>(plane & 7);
       }
     }
+    const int end = lattice.last[0] - brick[0] * kBrickSide + kHalo;  // the bit of the last plane
+    const bool mirrorStart = brick[0] == 0, mirrorEnd = end < kSide - 1, flat = lattice.last[0] < kHalo;
     std::array<int, D> i{};
     for (int r = 0; r < kRows; ++r) {
       std::size_t n = 0, row = 0;
@@ -116,20 +128,22 @@ class Window {
         n += nearAt[a][i[a]];
         row = row * kBrickSide + rowAt[a][i[a]];
       }
-      rows[r] = static_cast<uint16_t>(mirrored(lattice, brick[0] * kBrickSide, joined(near[n][row], near[n + 1][row], near[n + 2][row])));
+      uint32_t bits = joined(near[n][row], near[n + 1][row], near[n + 2][row]);
+      if (flat) {
+        bits = mirroredFlat(lattice, bits);
+      } else {
+        if (mirrorStart) bits = (bits & ~3u) | (bits >> 4 & 1) | (bits >> 2 & 2);
+        if (mirrorEnd) bits = (bits & ((2u << end) - 1)) | (bits >> (end - 1) & 1) << (end + 1) | (bits >> (end - 2) & 1) << (end + 2);
+      }
+      rows[r] = static_cast<uint16_t>(bits & ((1u << kSide) - 1));
       for (int a = 1; a < D && ++i[a] == kSide; ++a) i[a] = 0;
     }
   }
 
-  static uint32_t mirrored(const Lattice<D>& lattice, int32_t x0, uint32_t bits) {
-    uint32_t result = bits;
-    for (int i = 0; i < kSide; ++i) {
-      const int32_t x = x0 + i - kHalo;
-      if (x >= 0 && x <= lattice.last[0]) continue;
-      const int32_t source = lattice.mirrored(0, x) - x0 + kHalo;
-      const uint32_t value = source >= 0 && source < kSide ? bits >> source & 1 : 0;
-      result = (result & ~(1u << i)) | value << i;
-    }
+  /// In a box of one or two planes the mirror images have images of their own.
+  static uint32_t mirroredFlat(const Lattice<D>& lattice, uint32_t bits) {
+    uint32_t result = 0;
+    for (int i = 0; i < kSide; ++i) result |= (bits >> (lattice.mirrored(0, i - kHalo) + kHalo) & 1) << i;
     return result;
   }
 };
