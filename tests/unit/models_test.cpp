@@ -7,6 +7,11 @@
 namespace isostar {
 namespace {
 
+template <class Coder>
+void mix(Coder& coder, bool truth, const std::array<Chance*, 3>& contexts, Mixer<3>::Weights& weights) {
+  EXPECT_EQ((Mixer<3>::bit<255, 12>(coder, truth, contexts, weights)), truth);
+}
+
 /// Keeps the last chance that it was asked with.
 struct Listener {
   uint32_t chance = 0;
@@ -92,7 +97,7 @@ TEST(Mixer, saysNothingBeforeItHasSeenAnything) {
   Chance a, b, c;
   auto weights = Mixer<3>::fresh();
   Listener listener;
-  (void)Mixer<3>::bit<255>(listener, true, {&a, &b, &c}, weights);
+  mix(listener, true, {&a, &b, &c}, weights);
   EXPECT_NEAR(listener.chance, kChanceOne / 2, kChanceOne / 500.0);
 }
 
@@ -107,7 +112,7 @@ TEST(Mixer, findsTheContextThatKnows) {
   for (int i = 0; i < kDecisions; ++i) {
     const bool truth = (random() & 1) != 0, seldom = random() % 100 == 0;
     auto& context = knows[truth != seldom ? 1 : 0];
-    (void)Mixer<3>::bit<255>(i < kDecisions / 2 ? all : late, truth, {&blind, &context, &deaf}, weights);
+    mix(i < kDecisions / 2 ? all : late, truth, {&blind, &context, &deaf}, weights);
   }
   EXPECT_LT(late.bits() / (kDecisions / 2), 0.12);  // entropy of one in hundred: 0.08
 }
@@ -116,7 +121,7 @@ TEST(Mixer, agreesWithTheBestOfEqualContexts) {
   std::array<Chance, 3> same;
   auto weights = Mixer<3>::fresh();
   Meter meter;
-  for (int i = 0; i < 4000; ++i) (void)Mixer<3>::bit<255>(meter, true, {&same[0], &same[1], &same[2]}, weights);
+  for (int i = 0; i < 4000; ++i) mix(meter, true, {&same[0], &same[1], &same[2]}, weights);
   EXPECT_LT(meter.bits(), 20);
 }
 

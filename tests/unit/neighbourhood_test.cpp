@@ -71,7 +71,6 @@ TYPED_TEST(NeighbourhoodTest, diamondsHoldVerticesOfEarlierClassesOnly) {
     const int mine = __builtin_popcount(fresh);
     for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount)) EXPECT_EQ(classOf<D>(fresh, d), 0);
     for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount)) EXPECT_GT(classOf<D>(fresh, d), mine);
-    for (const auto& d : offsets<D>(n.far, 0, n.farCount)) EXPECT_TRUE(classOf<D>(fresh, d) == 0 || classOf<D>(fresh, d) > mine);
   }
 }
 
@@ -93,8 +92,7 @@ TYPED_TEST(NeighbourhoodTest, listsDoNotOverlapAndStayInTheWindow) {
     auto all = offsets<D>(n.diamond, 0, n.diamondCount());
     const std::size_t diamond = all.size();
     all.merge(offsets<D>(n.siblings, 0, n.siblingCount));
-    all.merge(offsets<D>(n.far, 0, n.farCount));
-    EXPECT_EQ(all.size(), diamond + static_cast<std::size_t>(n.siblingCount + n.farCount));
+    EXPECT_EQ(all.size(), diamond + static_cast<std::size_t>(n.siblingCount));
     EXPECT_FALSE(all.contains(Coordinates<D>{}));
     for (const auto& d : all) {
       for (int32_t x : d) EXPECT_LE(std::abs(x), Window<D>::kHalo);

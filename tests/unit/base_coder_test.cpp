@@ -1,0 +1,114 @@
+#include "base_coder.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "sign_fields.h"
+#include "traversal.h"
+
+namespace isostar {
+namespace {
+
+/// Octaves of some boxes, also with cells at the end that are too short.
+template <int D>
+std::vector<Lattice<D>> lattices() {
+  std::vector<Lattice<D>> all;
+  for (int32_t side : {1, 2, 3, 5, 8}) {
+    if (D == 4 && side > 3) continue;
+    Coordinates<D> box;
+    for (int a = 0; a < D; ++a) box[a] = std::max(1, side - a);
+    all.emplace_back(box, 1);
+    for (int a = 0; a < D; ++a) box[a] = 4 * box[a] + a - 1;
+    all.emplace_back(box, 4);
+  }
+  return all;
+}
+
+template <class Dimension>
+class BaseCoderTest : public testing::Test {};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+TYPED_TEST_SUITE(BaseCoderTest, Dimensions);
+
+TYPED_TEST(BaseCoderTest, tellsEachSignOfEachField) {
+  constexpr int D = TypeParam::value;
+  for (const auto& lattice : lattices<D>()) {
+    for (const auto& field : signFields<D>(lattice.box)) {
+      SCOPED_TRACE(field.name + " in " + testing::PrintToString(lattice.box));
+      const DenseSigns<D> truth(lattice, field.positive);
+      Signs<D> mine(lattice), theirs(lattice);
+      const auto bytes = told(truth.bricks(), NoScalars(), [&](auto& ask) { BaseCoder<D>().tell(ask, mine); });
+      EXPECT_TRUE(heard<D>(bytes, [&](auto& ask) { BaseCoder<D>().tell(ask, theirs); }));
+      EXPECT_EQ(DenseSigns<D>(mine), truth);
+      EXPECT_EQ(DenseSigns<D>(theirs), truth);
+    }
+  }
+}
+
+TYPED_TEST(BaseCoderTest, randomAnswersAreAlwaysSomeSurface) {
+  constexpr int D = TypeParam::value;
+  for (const auto& lattice : lattices<D>()) {
+    for (uint64_t seed = 0; seed < 30; ++seed) {
+      const double rate = std::array{0.5, 0.1, 0.9, 1.0}[seed % 4];
+      Signs<D> mine(lattice), theirs(lattice);
+      const auto bytes = thrown<D>(seed, rate, [&](auto& ask) { BaseCoder<D>().tell(ask, mine); });
+      ASSERT_TRUE(heard<D>(bytes, [&](auto& ask) { BaseCoder<D>().tell(ask, theirs); }));
+      ASSERT_EQ(DenseSigns<D>(theirs), DenseSigns<D>(mine)) << "seed " << seed;
+    }
+  }
+}
+
+/// Counts for which vertices a sign is asked.
+template <int D>
+struct Counting : TruthExchange<D, Meter, NoScalars> {
+  using Base = TruthExchange<D, Meter, NoScalars>;
+  using Base::Base;
+  [[nodiscard]] bool positive(const Coordinates<D>& v) const {
+    ++asked[v];
+    return Base::positive(v);
+  }
+  mutable std::map<Coordinates<D>, int> asked;
+};
+
+TYPED_TEST(BaseCoderTest, tellsTheTubesVerticesOnceAndNoOthers) {
+  constexpr int D = TypeParam::value;
+  for (const auto& lattice : lattices<D>()) {
+    for (const auto& field : signFields<D>(lattice.box)) {
+      SCOPED_TRACE(field.name + " in " + testing::PrintToString(lattice.box));
+      const auto truth = DenseSigns<D>(lattice, field.positive).bricks();
+      std::set<Coordinates<D>> tube;
+      for (std::size_t n = 0; n < Simplex<D>::count(lattice); ++n) {
+        const auto simplex = Simplex<D>::at(n, lattice);
+        int positives = 0;
+        for (int i = 0; i <= D; ++i) positives += truth.at(simplex.vertex(i));
+        if (positives == 0 || positives == D + 1) continue;
+        for (int i = 0; i <= D; ++i) tube.insert(simplex.vertex(i));
+      }
+      Meter meter;
+      const NoScalars none;
+      Counting<D> ask(meter, truth, none);
+      Signs<D> signs(lattice);
+      BaseCoder<D>().tell(ask, signs);
+      if (tube.empty()) tube.insert(Coordinates<D>{});  // one sign stands for all
+      EXPECT_EQ(ask.asked.size(), tube.size());
+      for (const auto& [vertex, times] : ask.asked) {
+        EXPECT_TRUE(tube.contains(vertex)) << testing::PrintToString(vertex);
+        EXPECT_EQ(times, 1) << testing::PrintToString(vertex);
+      }
+    }
+  }
+}
+
+TEST(BaseCoder, nothingIsAByteAtMost) {
+  const Lattice<3> lattice({8, 8, 8}, 1);
+  for (bool positive : {false, true}) {
+    const DenseSigns<3> truth(lattice, [=](const auto&) { return positive; });
+    Signs<3> signs(lattice);
+    EXPECT_LE(told(truth.bricks(), NoScalars(), [&](auto& ask) { BaseCoder<3>().tell(ask, signs); }).size(), 1u);
+    EXPECT_EQ(DenseSigns<3>(signs), truth);
+  }
+}
+
+}  // namespace
+}  // namespace isostar
