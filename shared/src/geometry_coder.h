@@ -34,7 +34,7 @@ class GeometryCoder {
       if (!scalars.has(place)) tellGradient(ask, scalars, place);
       enter(scalars, place);
       auto& brick = scalars.writable(place);
-      const int floor = std::max(0, gradient_ / 4 - depth);
+      const int floor = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
       // Positive vertices first: the others then know the far ends of their crossing edges.
       for (const bool positive : {true, false}) tube_.forEach([&](int row, std::size_t r, int x) {
         if (tube_.positive(row, x) != positive || ask.spent()) return;
