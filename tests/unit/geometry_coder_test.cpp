@@ -27,11 +27,12 @@ struct WholeField {
     return v;
   }
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return magnitudeAt(vertex(place, r, x)); }
-  [[nodiscard]] int gradient(std::size_t place) const { return place % 3 == 0 ? 40 : 37; }
+  [[nodiscard]] int gradient(std::size_t place) const { return place % 3 == 0 ? steepest : 37; }
   [[nodiscard]] bool selected(std::size_t place) const { return place % 2 == 0; }
 
   BrickTable<D> table;
   Value value;
+  int steepest = 40;
 };
 
 template <int D>
@@ -88,6 +89,8 @@ class Telling {
   void halving(Members members, const typename GeometryCoder<D>::Allowed& allowed, int most, bool selective) {
     pass([=](auto& ask, Side<D>& side) { side.coder.refine(ask, side.signs, side.scalars, members, allowed, most, selective, side.active); });
   }
+
+  void steepen(int gradient) { field_.steepest = gradient; }
 
   /// Calls visit(vertex, brick, its number in it) for each vertex of a class.
   template <class Visit>
@@ -217,6 +220,18 @@ TYPED_TEST(GeometryCoderTest, whereNothingMayMoveAllIsTold) {
         EXPECT_EQ(int{brick.width[at]}, 0) << testing::PrintToString(v);
       });
     }
+  }
+}
+
+TYPED_TEST(GeometryCoderTest, theSteepestGradientThatCanBeTold) {
+  constexpr int D = TypeParam::value;
+  for (const auto& field : wholeFields<D>()) {
+    SCOPED_TRACE(field.name);
+    Telling<D> telling(box<D>(), field.value);
+    telling.steepen(4 * 31 + 3);
+    telling.octaves(Members::AxisEnds, 0);
+    telling.halving(Members::AxisEnds, alike<D>(650), 30, false);
+    telling.expectTruthInside(Members::AxisEnds);
   }
 }
 
