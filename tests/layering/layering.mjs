@@ -1,0 +1,106 @@
+// Which file may include which: the arrows of docs/design.md, kept. Prints each arrow that is not in the table; status 1 if any.
+import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { basename, dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** Parts of shared/; inside a part a file may include those before it. */
+const PARTS = {
+  api: ['isostar.h'],
+  errors: ['errors.cpp'],
+  bytes: ['bytes.h'],
+  coder: ['range_coder.h', 'models.h'],
+  hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'neighbourhood.h', 'shape_estimate.h', 'tube.h'],
+  scalars: ['scalars.h', 'scalar_window.h', 'interpolation.h', 'prediction.h', 'completion.h'],
+  exchange: ['exchange.h'],
+  traversal: ['base_coder.h', 'refinement_coder.h', 'geometry_coder.h'],
+  container: ['stream.h', 'stream.cpp'],
+  layers: ['layers.h'],
+  polygonizer: ['crossings.h', 'cell_table.h', 'cell_table.cpp', 'polygonizer.h', 'polygonizer.cpp'],
+  field: ['field.h', 'field.cpp'],
+  distance: ['source_distance.h', 'source_distance.cpp'],
+  source: ['polygonize.cpp'],
+  encoder: ['encode.cpp'],
+  decoder: ['decode.cpp'],
+};
+
+/** The parts that a part may include: the decoder cannot see the field, the polygonizer no coder. */
+const ARROWS = {
+  api: [],
+  errors: ['api'],
+  bytes: [],
+  coder: [],
+  hierarchy: [],
+  scalars: ['hierarchy'],
+  exchange: ['coder', 'hierarchy'],
+  traversal: ['exchange', 'coder', 'hierarchy', 'scalars'],
+  container: ['bytes', 'hierarchy', 'api'],
+  layers: ['traversal', 'container'],
+  polygonizer: ['hierarchy', 'scalars', 'api'],
+  field: ['hierarchy', 'container', 'api'],
+  distance: ['field', 'hierarchy', 'scalars', 'polygonizer'],
+  source: ['field', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+  encoder: ['field', 'distance', 'layers', 'api'],
+  decoder: ['layers', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+};
+
+/** The C++ library as far as the codec needs it: no threads, files, streams, clocks. */
+const STANDARD = new Set(
+  'algorithm array bit cmath concepts cstddef cstdint cstdlib cstring deque functional limits map memory numeric optional set span string tuple type_traits utility vector'.split(' '),
+);
+/** Header-only libraries, and the one file that may use each. */
+const LIBRARIES = { glm: 'polygonizer.cpp', 'xxhash.h': 'stream.cpp' };
+
+const partOf = (file) => Object.keys(PARTS).find((part) => PARTS[part].includes(file));
+
+function mayInclude(file, target) {
+  const [from, to] = [partOf(file), partOf(target)];
+  if (from !== to) return ARROWS[from].includes(to);
+  return PARTS[from].indexOf(target) < PARTS[from].indexOf(file);
+}
+
+function offenceInShared(file, { target, system }) {
+  if (!partOf(file)) return 'is in no part of tests/layering/layering.mjs';
+  if (system) {
+    const library = target.split('/')[0];
+    if (STANDARD.has(target) || LIBRARIES[library] === file) return null;
+  } else if (partOf(basename(target)) && mayInclude(file, basename(target))) return null;
+  return `may not include ${target}`;
+}
+
+/** Outside shared/ the codec is its public header, and isostar's other folders never reach into it. */
+function offenceOutside({ target }) {
+  const internal = Object.values(PARTS).flat().filter((file) => file !== 'isostar.h');
+  if (target.includes('shared/') || target.includes('src/') || internal.includes(target)) return `may not include ${target}`;
+  return null;
+}
+
+function* sourcesBelow(folder) {
+  for (const name of readdirSync(folder).sort()) {
+    if (name === 'node_modules' || name === 'dist') continue;
+    const path = join(folder, name);
+    if (statSync(path).isDirectory()) yield* sourcesBelow(path);
+    else if (/\.(h|cpp)$/.test(name)) yield path;
+  }
+}
+
+const includesOf = (path) =>
+  [...readFileSync(path, 'utf8').matchAll(/^\s*#\s*include\s*([<"])([^>"]+)[>"]/gm)].map(([, quote, target]) => ({ target, system: quote === '<' }));
+
+export function offences(root) {
+  const found = [];
+  for (const folder of ['shared', 'native', 'wasm', 'web']) {
+    for (const path of sourcesBelow(join(root, folder))) {
+      for (const include of includesOf(path)) {
+        const offence = folder === 'shared' ? offenceInShared(basename(path), include) : offenceOutside(include);
+        if (offence) found.push(`${relative(root, path)} ${offence}`);
+      }
+    }
+  }
+  return found;
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const found = offences(process.argv[2] ?? join(dirname(fileURLToPath(import.meta.url)), '../..'));
+  for (const offence of found) console.error(offence);
+  process.exitCode = found.length > 0 ? 1 : 0;
+}
