@@ -11,6 +11,8 @@ namespace isostar {
 Signs<3> VolumeField::signs(int32_t step) const {
   const Lattice<3> lattice(last_, step);
   Signs<3> signs(lattice);
+  // A box without extent on an axis has no cells, and so no surface.
+  if (std::ranges::any_of(last_, [](int32_t last) { return last == 0; })) return signs;
   const auto& table = signs.table();
   for (std::size_t place = 0; place < table.total(); ++place) {
     const auto brick = table.brick(place);

@@ -29,15 +29,15 @@ class GeometryCoder {
   void tellOctaves(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active) {
     for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
       if (active[place] == 0) continue;
-      tube_.enter(signs, place, members);
-      if (tube_.empty()) continue;
+      const Tube<D>& tube = tubes_[static_cast<std::size_t>(members)].at(signs, place, members);
+      if (tube.empty()) continue;
       if (!scalars.has(place)) tellGradient(ask, scalars, place);
-      enter(scalars, place);
+      enter(tube, scalars, place);
       auto& brick = scalars.writable(place);
       const int floor = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
       // Positive vertices first: the others then know the far ends of their crossing edges.
-      for (const bool positive : {true, false}) tube_.forEach([&](int row, std::size_t r, int x) {
-        if (tube_.positive(row, x) != positive || ask.spent()) return;
+      for (const bool positive : {true, false}) tube.forEach([&](int row, std::size_t r, int x) {
+        if (tube.positive(row, x) != positive || ask.spent()) return;
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         const int octave = tellOctave(ask, row, r, x, floor, ask.magnitude(place, r, x));
         const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor + octave - 1);
@@ -59,14 +59,14 @@ class GeometryCoder {
     for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
       if (active[place] == 0 || !scalars.has(place)) continue;
       if (selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
-      tube_.enter(signs, place, members);
-      if (tube_.empty()) continue;
-      enter(scalars, place);
+      const Tube<D>& tube = tubes_[static_cast<std::size_t>(members)].at(signs, place, members);
+      if (tube.empty()) continue;
+      enter(tube, scalars, place);
       auto& brick = scalars.writable(place);
-      tube_.forEach([&](int row, std::size_t r, int x) {
+      tube.forEach([&](int row, std::size_t r, int x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         if (!brick.knows(v) || ask.spent()) return;
-        const bool positive = tube_.positive(row, x);
+        const bool positive = tube.positive(row, x);
         const auto guess = Interpolation<D>::of(window_, r, x, positive);
         for (int told = 0; told < most && brick.width[v] > 0; ++told) {
           if (!moves(row, x, r, brick.middle(v), brick.width[v], allowed)) break;
@@ -103,10 +103,11 @@ class GeometryCoder {
     scalars.setGradient(place, lastGradient_);
   }
 
-  void enter(const Scalars<D>& scalars, std::size_t place) {
+  void enter(const Tube<D>& tube, const Scalars<D>& scalars, std::size_t place) {
+    tube_ = &tube;
     gradient_ = scalars.gradient(place);
     steps_ = halfQuanta(gradient_);
-    window_.load(scalars, tube_.table(), tube_.at());
+    window_.load(scalars, tube.table(), tube.at());
   }
 
   /// 8 log2 of a magnitude, roughly; 0 for nothing.
@@ -118,7 +119,7 @@ class GeometryCoder {
 
   template <class Exchange>
   int tellOctave(Exchange& ask, int row, std::size_t r, int x, int floor, uint32_t truth) {
-    const auto g = Prediction<D>::of(tube_.window(), window_, row, r, x, steps_);
+    const auto g = Prediction<D>::of(tube_->window(), window_, row, r, x, steps_);
     const int guessed = eighths(static_cast<uint64_t>(g.magnitude) / 2);
     const int expected = std::clamp((guessed - 1) / 8 + 1 - floor, 0, kMostWidth - floor);
     const int octave = std::max(0, 32 - std::countl_zero(truth) - floor);
@@ -154,10 +155,10 @@ class GeometryCoder {
     int64_t other = 0, same = 0;
     int others = 0, sames = 0;
     const int here = window_.index(r, x);
-    const bool mine = tube_.positive(row, x);
+    const bool mine = tube_->positive(row, x);
     for (int a = 0; a < D; ++a) {
       for (int side = -1; side <= 1; side += 2) {
-        const bool theirs = a == 0 ? tube_.positive(row, x + side) : tube_.positive(row + side * Window<D>::rowStride(a), x);
+        const bool theirs = a == 0 ? tube_->positive(row, x + side) : tube_->positive(row + side * Window<D>::rowStride(a), x);
         beside.crossings += theirs != mine;
         const int32_t known = window_.value[here + side * ScalarWindow<D>::stride(a)];
         if (known == Scalars<D>::kUnknown) continue;
@@ -177,14 +178,14 @@ class GeometryCoder {
   }
   /// A mean size relative to the gradient, in half octaves, 1 … 15.
   [[nodiscard]] std::size_t relative(int64_t sum, int count) const {
-    const int size = eighths(static_cast<uint64_t>(sum / count / 2)) / 4 - gradient_ / 2;
+    const int size = eighths(static_cast<uint64_t>(sum * reciprocal(2 * count) >> 16)) / 4 - gradient_ / 2;
     return static_cast<std::size_t>(std::clamp(size + 11, 1, 15));
   }
 
   /// May the interval move a crossing on an edge of the vertex by more than allowed?
   [[nodiscard]] bool moves(int row, int x, std::size_t r, uint32_t middle, int width, const Allowed& allowed) const {
     const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
-    const bool mine = tube_.positive(row, x);
+    const bool mine = tube_->positive(row, x);
     for (int a = 0; a < D; ++a) {
       for (int side = -1; side <= 1; side += 2) {
         const int32_t known = here[side * ScalarWindow<D>::stride(a)];
@@ -196,7 +197,7 @@ class GeometryCoder {
 
   [[nodiscard]] bool movesDiagonal(int row, std::size_t r, int x, uint32_t middle, int width, const Allowed& allowed) const {
     const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
-    const bool mine = tube_.positive(row, x);
+    const bool mine = tube_->positive(row, x);
     const unsigned parity = Tube<D>::parity(r, x);
     Coordinates<D> d;
     d.fill(-1);
@@ -244,7 +245,8 @@ class GeometryCoder {
   static constexpr int kMostWidth = 29;
   static constexpr int kMostGradient = 4 * 31;
 
-  Tube<D> tube_;
+  std::array<Tubes<D>, 2> tubes_;  // by Members
+  const Tube<D>* tube_ = nullptr;
   ScalarWindow<D> window_;
   int gradient_ = 0;
   int64_t steps_ = 1;

@@ -1,6 +1,7 @@
 // A scalar from its neighbours on both sides, where a coarser pass has told them.
 #pragma once
 
+#include "reciprocal.h"
 #include "scalar_window.h"
 
 namespace isostar {
@@ -22,7 +23,7 @@ struct Interpolation {
       weight += p.weight & known;
     }
     if (weight == 0) return {};
-    const int64_t mean = (positive ? sum : -sum) / (2 * weight);
+    const int64_t mean = (positive ? sum : -sum) * reciprocal(2 * weight) >> 16;
     return {mean < 0 ? 0 : mean, weight < 4 ? 1 : weight < 8 ? 2 : 3};
   }
 

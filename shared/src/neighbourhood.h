@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "window.h"
 
@@ -42,6 +43,20 @@ struct RowPacks {
     return static_cast<unsigned>(positive);
   }
 
+  /// For the nine (3^2) signs of each plane of the 3^D around: the diamond's signs in a row of bits, how many of its
+  /// corners (from bit 16) and of those across (from bit 24) are positive.
+  using Slices = std::array<std::array<uint32_t, 512>, power(3, D - 2)>;
+
+  /// The diamond of bit `at` of the row in the middle.
+  [[nodiscard]] uint32_t diamond(const Slices& slices, int at) const {
+    uint32_t seen = 0;
+    for (std::size_t s = 0; s < slices.size(); ++s) {
+      const uint64_t rows = words[kNearWords[s]] >> (at - 1 + kBits);
+      seen += slices[s][(rows & 7) | (rows >> (kBits - 3) & 56) | (rows >> (2 * kBits - 6) & 448)];
+    }
+    return seen;
+  }
+
   /// Adds a neighbour, two steps away at the most on each axis, to a mask.
   constexpr void add(const std::array<int, D>& d) {
     std::size_t word = 0;
@@ -49,7 +64,23 @@ struct RowPacks {
     words[word] |= uint64_t{1} << ((d[1] + 2) * kBits + d[0] + 2);
   }
 
+  /// The word, and the bit among its nine, of a neighbour one step away at the most on each axis.
+  static constexpr std::pair<std::size_t, int> sliceOf(const std::array<int, D>& d) {
+    std::size_t slice = 0;
+    for (int a = D - 1; a >= 2; --a) slice = slice * 3 + static_cast<std::size_t>(d[a] + 1);
+    return {slice, (d[1] + 1) * 3 + d[0] + 1};
+  }
+
  private:
+  static constexpr std::array<std::size_t, power(3, D - 2)> kNearWords = [] {
+    std::array<std::size_t, power(3, D - 2)> near{};
+    for (std::size_t s = 0; s < near.size(); ++s) {
+      std::size_t word = 0, digits = s;
+      for (std::size_t place = 1, a = 2; a < D; ++a, digits /= 3, place *= 5) word += (digits % 3 + 1) * place;
+      near[s] = word;
+    }
+    return near;
+  }();
   static constexpr std::array<int, kWords> kFirst = [] {
     std::array<int, kWords> first{};
     for (std::size_t w = 0; w < kWords; ++w) {
@@ -72,6 +103,7 @@ struct Neighbourhood {
   int cornerCount = 0, acrossCount = 0, siblingCount = 0;
   RowPacks<D> siblingMask;  // the nearest kSiblings siblings
   RowPacks<D> farMask;      // the nearest kFar vertices of earlier classes outside the diamond
+  typename RowPacks<D>::Slices slices{};
   static constexpr int kSiblings = 13, kFar = 24;
 
   [[nodiscard]] constexpr int diamondCount() const { return cornerCount + acrossCount; }
@@ -80,10 +112,23 @@ struct Neighbourhood {
   constexpr explicit Neighbourhood(unsigned fresh) {
     collect(fresh, true);
     collect(fresh, false);
+    slice();
   }
 
  private:
   int farCount = 0;
+  std::array<std::array<int, D>, kMost> offsets{};  // of the diamond
+
+  /// Bits beyond sixteen (in 4D) share the last one: contexts are hashes there.
+  constexpr void slice() {
+    for (int i = 0; i < diamondCount(); ++i) {
+      const auto [plane, bit] = RowPacks<D>::sliceOf(offsets[i]);
+      const uint32_t seen = (i < 16 ? 1u << i : 0u) + (i < cornerCount ? 1u << 16 : 1u << 24);
+      for (uint32_t signs = 0; signs < 512; ++signs) {
+        if ((signs >> bit & 1) != 0) slices[plane][signs] += seen;
+      }
+    }
+  }
 
   constexpr void collect(unsigned fresh, bool corners) {
     for (int distance = 1; distance <= 2 * D + 2; ++distance) {
@@ -114,7 +159,10 @@ struct Neighbourhood {
     }
     const int mine = __builtin_popcount(fresh), other = __builtin_popcount(theirs);
     if (near && (corner || beside)) {
-      if (corner == corners) diamond[corners ? cornerCount++ : cornerCount + acrossCount++] = step;
+      if (corner != corners) return;
+      offsets[cornerCount + acrossCount] = d;
+      diamond[cornerCount + acrossCount] = step;
+      ++(corner ? cornerCount : acrossCount);
     } else if (corners && other == mine && earlier && siblingCount < kSiblings) {
       siblings[siblingCount++] = step;
       siblingMask.add(d);

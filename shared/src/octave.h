@@ -136,4 +136,26 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
   return active;
 }
 
+/// After vertices of a brick have changed: marks its quiet neighbours that now touch a vertex of the other sign.
+template <int D>
+void activateAround(const Signs<D>& signs, std::size_t place, std::vector<uint8_t>& active) {
+  const auto& table = signs.table();
+  const auto at = table.brick(place);
+  active[place] = 1;
+  Coordinates<D> d;
+  d.fill(-1);
+  for (std::size_t n = 0; n < power(3, D); ++n) {
+    bool inside = true;
+    std::size_t other = 0;
+    for (int a = 0; a < D; ++a) {
+      const int32_t v = at[a] - d[a];
+      inside = inside && v >= 0 && v < table.count(a);
+      other += static_cast<std::size_t>(v) * table.stride(a);
+    }
+    // Seen from the neighbour, the brick lies in direction d.
+    if (inside && active[other] == 0 && facingVaries<D>(signs.brickAt(place), d, signs.index(other))) active[other] = 1;
+    for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+  }
+}
+
 }  // namespace isostar

@@ -63,6 +63,7 @@ class Polygonization {
       if (active_[place] != 0) slot_[place] = bricks++;
     }
     index_.resize(bricks);
+    windows_.resize(bricks);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] == 0) continue;
       countEdges(place);
@@ -89,14 +90,15 @@ class Polygonization {
 
   void countEdges(std::size_t place) {
     const auto brick = signs_.table().brick(place);
-    window_.load(signs_, brick);
+    Window<3>& window = windows_[slot_[place]];
+    window.load(signs_, brick);
     EdgeIndex& index = index_[slot_[place]];
     for (unsigned axes = 1; axes <= 7; ++axes) {
       if (!uses(axes)) continue;
       for (unsigned r = 0; r < kRows; ++r) {
         const int row = Window<3>::row({0, static_cast<int32_t>(r & 7), static_cast<int32_t>(r >> 3)});
         const Bits inside = edgesInside(lattice_, brick, r, axes);
-        const Bits bits = inside != 0 ? crossedEdges(window_, row, r, axes) & inside : 0;
+        const Bits bits = inside != 0 ? crossedEdges(window, row, r, axes) & inside : 0;
         index.crossed[axes - 1][r] = static_cast<uint8_t>(bits);
         index.first[axes - 1][r] = static_cast<uint32_t>(vertices_);
         vertices_ += static_cast<uint64_t>(std::popcount(bits));
@@ -170,7 +172,7 @@ class Polygonization {
 
   void cutCells(std::size_t place) {
     const auto brick = signs_.table().brick(place);
-    window_.load(signs_, brick);
+    const Window<3>& window = windows_[slot_[place]];
     std::array<const EdgeIndex*, 8> near{};
     for (unsigned c = 0; c < 8; ++c) {
       std::size_t other = place;
@@ -187,8 +189,8 @@ class Polygonization {
       if (inside == 0) continue;
       const int32_t y = static_cast<int32_t>(r & 7), z = static_cast<int32_t>(r >> 3);
       const int row = Window<3>::row({0, y, z});
-      const Bits a = window_.rows[row], b = window_.rows[row + Window<3>::rowStride(1)];
-      const Bits c = window_.rows[row + Window<3>::rowStride(2)], d = window_.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
+      const Bits a = window.rows[row], b = window.rows[row + Window<3>::rowStride(1)];
+      const Bits c = window.rows[row + Window<3>::rowStride(2)], d = window.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
       const Bits some = a | b | c | d, all = a & b & c & d;
       Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inside;
       for (; open != 0; open &= open - 1) {
@@ -231,8 +233,8 @@ class Polygonization {
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
   std::vector<EdgeIndex> index_;
+  std::vector<Window<3>> windows_;
   uint64_t vertices_ = 0;
-  Window<3> window_;
   ScalarWindow<3> scalars_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "reciprocal.h"
 #include "scalar_window.h"
 #include "shape_estimate.h"
 
@@ -43,7 +44,7 @@ struct Prediction {
     int64_t tilt = 0;
     for (int a = 0; a < D; ++a) tilt += int64_t{estimate.slope[a]} * (static_cast<int32_t>(packed >> (8 + 8 * a) & 0xFF) - weight);
     sum -= tilt * steps / ShapeEstimate<D>::kPlaneSlope;
-    const int64_t mean = (positive ? sum : -sum) / weight;
+    const int64_t mean = (positive ? sum : -sum) * reciprocal(weight) >> 16;
     result.magnitude = mean < 0 ? 0 : mean;
     result.confidence = weight < 5 ? 1 : weight < 12 ? 2 : 3;
     return result;

@@ -19,16 +19,18 @@ class RefinementCoder {
     weights_.fill(Mixer<kInputs>::fresh());
   }
 
-  /// One bisection of the whole octave: tells the vertices fresh on `dimension` axes.
+  /// One bisection of the whole octave: tells the vertices fresh on `dimension` axes, D first.
   template <class Exchange>
   void bisect(Exchange& ask, Signs<D>& signs, int dimension) {
-    const auto active = activeBricks(signs);
-    for (std::size_t first = 0; first < active.size() && !ask.spent(signs.memory()); first += kGroup) {
-      quietGroup(ask, signs, dimension, active, first, std::min(first + kGroup, active.size()));
+    if (dimension == D) active_ = activeBricks(signs);
+    for (std::size_t first = 0; first < active_.size() && !ask.spent(signs.memory()); first += kGroup) {
+      quietGroup(ask, signs, dimension, first, std::min(first + kGroup, active_.size()));
     }
-    for (std::size_t place = 0; place < active.size() && !ask.spent(signs.memory()); ++place) {
-      if (active[place] != 0) brick(ask, signs, place, dimension);
+    for (std::size_t place = 0; place < active_.size() && !ask.spent(signs.memory()); ++place) {
+      if (active_[place] != 0) brick(ask, signs, place, dimension);
     }
+    for (const std::size_t place : changedPlaces_) activateAround(signs, place, active_);
+    changedPlaces_.clear();
   }
 
  private:
@@ -56,16 +58,16 @@ class RefinementCoder {
 
   /// Components that first appear far from the surface.
   template <class Exchange>
-  void quietGroup(Exchange& ask, Signs<D>& signs, int dimension, const std::vector<uint8_t>& active, std::size_t first, std::size_t end) {
+  void quietGroup(Exchange& ask, Signs<D>& signs, int dimension, std::size_t first, std::size_t end) {
     bool any = false, quiet = false;
     for (std::size_t place = first; place < end; ++place) {
-      if (active[place] != 0) continue;
+      if (active_[place] != 0) continue;
       quiet = true;
       any = any || differs(ask, signs, place, dimension);
     }
     if (!quiet || !groupFlag_[dimension].bit(ask.coder(), any)) return;
     for (std::size_t place = first; place < end && !ask.spent(signs.memory()); ++place) {
-      if (active[place] != 0 || !quietFlag_[dimension].bit(ask.coder(), differs(ask, signs, place, dimension))) continue;
+      if (active_[place] != 0 || !quietFlag_[dimension].bit(ask.coder(), differs(ask, signs, place, dimension))) continue;
       enter(signs, place, dimension);
       tellExceptions(ask, place, 0);
       store(signs, place);
@@ -99,7 +101,13 @@ class RefinementCoder {
     for (int i = 0; i < rowCount_; ++i) rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members);
   }
 
+  /// The rows of a brick that have vertices of the class: in all bricks but the last ones the same.
   void findRows(const Lattice<D>& lattice, const Coordinates<D>& at, int dimension) {
+    bool last = false;
+    for (int a = 0; a < D; ++a) last = last || (at[a] + 1) * kBrickSide > lattice.last[a];
+    const int kind = last ? -1 : dimension;
+    if (!last && rowKind_ == kind) return;
+    rowKind_ = kind;
     Bits fresh = 0, inside = 0;
     for (int x = 0; x < kBrickSide && at[0] * kBrickSide + x <= lattice.last[0]; ++x) {
       inside |= 1u << x;
@@ -115,11 +123,11 @@ class RefinementCoder {
         in = in && plane <= lattice.last[a];
         if (lattice.fresh(a, plane)) o |= 1u << a;
       }
-      const int left = dimension - __builtin_popcount(o);
+      const int left = dimension - std::popcount(o);
       const Bits members = left == 1 ? fresh : left == 0 ? inside & ~fresh : 0;
       if (in && members != 0) {
-        rows_[rowCount_++] = {static_cast<int16_t>(Window<D>::row(v)), static_cast<uint16_t>(r),
-                              static_cast<uint8_t>(o | static_cast<unsigned>(left)), static_cast<uint8_t>(members), 0};
+        rows_[rowCount_++] = {Window<D>::kOwnRows[r], static_cast<uint16_t>(r), static_cast<uint8_t>(o | static_cast<unsigned>(left)),
+                              static_cast<uint8_t>(members), 0};
       }
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
@@ -144,7 +152,7 @@ class RefinementCoder {
     const Bits truth = ask.row(place, row.brick);
     packs_ = RowPacks<D>::around(&window_.rows[row.window]);
     for (Bits open = row.open; open != 0; open &= open - 1, ++told) {
-      const int x = __builtin_ctz(open);
+      const int x = std::countr_zero(open);
       put(row, x, tell(ask, row, x, (truth >> x & 1) != 0));
     }
     return told;
@@ -168,11 +176,10 @@ class RefinementCoder {
       for (int i = 0; i < count; ++i) bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
       return bits;
     };
-    const unsigned diamond = gather(n.diamond.data(), n.diamondCount());
+    const auto seen = packs_.diamond(n.slices, at);
+    const unsigned diamond = seen & 0xFFFF, corners = seen >> 16 & 0xFF, across = seen >> 24;
     const unsigned first7 = gather(n.siblings.data(), 7), first4 = first7 >> 3;
     const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at);
-    const unsigned corners = static_cast<unsigned>(__builtin_popcount(diamond >> n.acrossCount));
-    const unsigned across = static_cast<unsigned>(__builtin_popcount(diamond & ((1u << n.acrossCount) - 1)));
     const auto set = static_cast<unsigned>(row.fresh);
     const std::array<Chance*, kInputs> contexts{
         &near_[set << kNearBits | ((diamond << 4 | first4) & ((1u << kNearBits) - 1))],
@@ -207,24 +214,25 @@ class RefinementCoder {
       if (deduced == 0 || !rowFlag_[activity].bit(ask.coder(), flips != 0)) continue;
       const Bits signs = static_cast<Bits>(window_.rows[row.window]) >> Window<D>::kHalo;
       for (; deduced != 0; deduced &= deduced - 1) {
-        const int x = __builtin_ctz(deduced);
+        const int x = std::countr_zero(deduced);
         if (vertexFlag_.bit(ask.coder(), (flips >> x & 1) != 0)) put(row, x, (signs >> x & 1) == 0);
       }
     }
   }
 
   void store(Signs<D>& signs, std::size_t place) {
-    Coordinates<D> v{};
-    for (auto& row : signs.writable(place).rows) {
-      row = static_cast<uint8_t>(window_.rows[Window<D>::row(v)] >> Window<D>::kHalo);
-      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
-    }
+    changedPlaces_.push_back(place);
+    auto& rows = signs.writable(place).rows;
+    for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = static_cast<uint8_t>(window_.rows[Window<D>::kOwnRows[r]] >> Window<D>::kHalo);
   }
 
+  std::vector<uint8_t> active_;  // bricks of the octave in work, as of activeBricks()
+  std::vector<std::size_t> changedPlaces_;
   Window<D> window_;
   RowPacks<D> packs_;
   std::array<Row, kBrickRows> rows_;
   int rowCount_ = 0;
+  int rowKind_ = -1;  // the class that rows_ are of; -1 where they are of a last brick
   bool changed_ = false;
   std::vector<Chance> near_, counts_, wide_;
   std::array<typename Mixer<kInputs>::Weights, kSets * 16> weights_;

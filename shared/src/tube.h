@@ -1,6 +1,9 @@
 // The tube's vertices in a brick of the finest octave: those whose scalars shape the surface.
 #pragma once
 
+#include <deque>
+#include <vector>
+
 #include "window.h"
 
 namespace isostar {
@@ -27,7 +30,6 @@ class Tube {
       const int row = Window<D>::row(v);
       const uint32_t ends = axisEnds(row);
       mask_[r] = static_cast<uint8_t>(!in ? 0 : inside & (members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends));
-      row_[r] = static_cast<int16_t>(row);
       any_ = any_ || mask_[r] != 0;
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
@@ -50,13 +52,12 @@ class Tube {
   template <class Visit>
   void forEach(Visit visit) const {
     for (std::size_t r = 0; r < kRows; ++r) {
-      for (uint32_t open = mask_[r]; open != 0; open &= open - 1) visit(row_[r], r, __builtin_ctz(open));
+      for (uint32_t open = mask_[r]; open != 0; open &= open - 1) visit(Window<D>::kOwnRows[r], r, __builtin_ctz(open));
     }
   }
 
  private:
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
-
   [[nodiscard]] uint32_t bits(int row) const { return window_.rows[row]; }
 
   [[nodiscard]] uint32_t axisEnds(int row) const {
@@ -94,8 +95,26 @@ class Tube {
   Coordinates<D> at_{};
   Window<D> window_;
   std::array<uint8_t, kRows> mask_{};
-  std::array<int16_t, kRows> row_{};
   bool any_ = false;
+};
+
+/// The tube in all bricks that have been asked for, kept for the next pass.
+template <int D>
+class Tubes {
+ public:
+  const Tube<D>& at(const Signs<D>& signs, std::size_t place, Members members) {
+    if (number_.empty()) number_.resize(signs.table().total(), 0);
+    uint32_t& number = number_[place];
+    if (number == 0) {
+      tubes_.emplace_back().enter(signs, place, members);
+      number = static_cast<uint32_t>(tubes_.size());
+    }
+    return tubes_[number - 1];
+  }
+
+ private:
+  std::vector<uint32_t> number_;  // of a place's tube, from 1
+  std::deque<Tube<D>> tubes_;
 };
 
 }  // namespace isostar

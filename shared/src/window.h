@@ -28,7 +28,6 @@ class Window {
 
   void load(const Signs<D>& signs, const Coordinates<D>& brick) {
     const auto& lattice = signs.lattice();
-    const auto& table = signs.table();
     bool interior = true;
     for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
     const Near near = bricksAround(signs, brick, interior);
@@ -40,6 +39,17 @@ class Window {
   }
 
   std::array<uint16_t, kRows> rows;
+
+  /// Where the rows of the brick itself are.
+  static constexpr std::array<int16_t, power(kBrickSide, D - 1)> kOwnRows = [] {
+    std::array<int16_t, power(kBrickSide, D - 1)> own{};
+    Coordinates<D> v{};
+    for (int16_t& r : own) {
+      r = static_cast<int16_t>(row(v));
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+    return own;
+  }();
 
  private:
   using Near = std::array<const uint8_t*, power(3, D)>;
