@@ -1,6 +1,6 @@
 // What the comparison has to show: { what, target, measured, met }.
 import { geometricMean } from './curve.mjs';
-import { fixed } from './format.mjs';
+import { fixed, times } from './format.mjs';
 
 const known = (all, value) => all.map((one) => ({ name: one.name, value: value(one) })).filter(({ value: v }) => v !== undefined && Number.isFinite(v));
 
@@ -24,14 +24,24 @@ function atMost(what, target, all, value, { worst = false, digits = 2 } = {}) {
   };
 }
 
+/** Every prefix has been decoded before; distances come from samples, which lets them rise a little. */
+function falling(all) {
+  const NOISE = 1.02;
+  const highest = all.reduce((a, b) => (b.largestRise > a.largestRise ? b : a));
+  const rising = all.filter((one) => one.largestRise > NOISE).length;
+  const measured = `${all.length - rising} of ${all.length}, largest step ${times(highest.largestRise)} (${highest.name})`;
+  return { what: 'every prefix decodes, error falling with bytes', target: 'every surface', measured, met: rising === 0 };
+}
+
 export function mainCriteria(all) {
   const at = (one, rms) => one.rate.find((point) => point.rms === rms);
   return [
     everyOne('lossless is marching cubes’ own surface', all, (one) => one.isLossless),
     everyOne('the default keeps its bound', all, (one) => one.keepsBound),
-    everyOne('every prefix decodes, error falling with bytes', all, (one) => one.rises === 0),
+    falling(all),
     atMost('connectivity, bits per vertex', 0.6, all, (one) => one.connectivity),
     atMost('bytes at RMS 0.05 against Draco level 10', 0.25, all, (one) => 1 / at(one, 0.05).draco10),
+    atMost('the same as a prefix of the default stream', 0.25, all, (one) => 1 / at(one, 0.05).draco10ByPrefix),
     atMost('decode and polygonize against Draco level 7', 1.5, all, (one) => one.decode, { worst: true }),
     atMost('the same in WebAssembly against draco3d', 1.5, all, (one) => one.wasm, { worst: true }),
     atMost('encode against marching cubes and Draco level 7', 1, all, (one) => one.encode7, { worst: true }),

@@ -1,4 +1,5 @@
-// Points { bytes, rms }: what a distance costs, what bytes buy. Between two points both go along powers of each other.
+// Points { bytes, rms } by growing size: what a distance costs, what bytes buy. Between two points both go along powers of each other.
+// An empty surface's distance is null.
 
 const between = (x, x0, x1, y0, y1) => {
   if (x1 === x0) return y1;
@@ -14,11 +15,11 @@ export function envelope(points) {
 
 /** Bytes from which on the distance is reached; undefined where the curve does not go so far, or starts below it. */
 export function bytesAt(curve, rms) {
-  const found = curve.findIndex((point) => point.rms <= rms);
+  const found = curve.findIndex((point) => point.rms !== null && point.rms <= rms);
   if (found < 0) return undefined;
   if (found === 0) return curve[0].rms === rms ? curve[0].bytes : undefined;
   const [before, after] = [curve[found - 1], curve[found]];
-  return between(rms, before.rms, after.rms, before.bytes, after.bytes);
+  return before.rms === null ? after.bytes : between(rms, before.rms, after.rms, before.bytes, after.bytes);
 }
 
 /** The distance that so many bytes buy; undefined where even the smallest file has more. */

@@ -4,7 +4,6 @@ import { bytesAt, envelope, errorAt } from './curve.mjs';
 export const ERRORS = [0.01, 0.02, 0.05, 0.1, 0.2];  // RMS, grid steps
 const SHARES = [0.02, 0.05, 0.1];  // of our bytes
 const ROUNDING = 1e-3;  // grid steps: coordinates are floats
-const NOISE = 1.02;  // distances come from samples
 
 const draco = (raw, level) => raw.draco.filter((point) => point.level === level).sort((a, b) => a.bytes - b.bytes);
 
@@ -14,11 +13,11 @@ export function curves(raw) {
     isostar: raw.prefixes,
     draco7: draco(raw, 7),
     draco10: envelope(draco(raw, 10)),
+    bounds: envelope([...raw.bounds, raw.default]),
   };
   if (!raw.simplified) return all;
   return {
     ...all,
-    bounds: envelope([...raw.bounds, { bytes: raw.default.bytes, rms: raw.default.rms }]),
     simplified: envelope([...draco(raw, 10), ...raw.simplified]),
     meshopt: envelope(raw.meshopt),
   };
@@ -37,36 +36,32 @@ export function figures(raw) {
     max: raw.default.max,
     keepsBound: raw.default.max <= raw.default.bound + ROUNDING,
     isLossless: raw.lossless.sameTriangles && raw.lossless.largestDifference <= ROUNDING,
-    rises: raw.prefixes.filter((point, i) => i > 0 && point.rms > NOISE * raw.prefixes[i - 1].rms).length,
+    largestRise: Math.max(...raw.prefixes.slice(1).map((point, i) => point.rms / (raw.prefixes[i].rms ?? Infinity))),
     firstSurface: first.offset / raw.default.bytes,
     dracoBytes: bytesAt(drawn.draco10, raw.default.rms),
-    ...equalError(drawn),
+    rate: equalError(drawn),
     ...(raw.simplified && { lowRates: lowRates(raw, drawn), ...nearer(raw, drawn) }),
     ...(raw.times && timeRatios(raw)),
   };
 }
 
-/** How many times smaller at each error; ours is a prefix of the default stream or, with --rate, a stream made for it. */
+/** How many times smaller at each error: a stream made for it or, where that is smaller, a prefix of the default one. */
 function equalError(drawn) {
-  return {
-    rate: ERRORS.map((rms) => {
-      const candidates = [bytesAt(drawn.isostar, rms), drawn.bounds && bytesAt(drawn.bounds, rms)];
-      const prefix = candidates[0];
-      const bytes = Math.min(...candidates.filter((each) => each !== undefined));
-      const times = (curve) => {
-        const theirs = curve && bytesAt(curve, rms);
-        return theirs !== undefined && Number.isFinite(bytes) ? theirs / bytes : undefined;
-      };
-      return {
-        rms,
-        bytes: Number.isFinite(bytes) ? Math.round(bytes) : undefined,
-        prefix: prefix && Math.round(prefix),
-        draco10: times(drawn.draco10),
-        simplified: times(drawn.simplified),
-        meshopt: times(drawn.meshopt),
-      };
-    }),
-  };
+  return ERRORS.map((rms) => {
+    const prefix = bytesAt(drawn.isostar, rms);
+    const bytes = Math.min(prefix ?? Infinity, bytesAt(drawn.bounds, rms) ?? Infinity);
+    const times = (curve, ours = bytes) => {
+      const theirs = curve && bytesAt(curve, rms);
+      return theirs && Number.isFinite(ours) ? theirs / ours : undefined;
+    };
+    return {
+      rms,
+      bytes: Number.isFinite(bytes) ? Math.round(bytes) : undefined,
+      draco10: times(drawn.draco10),
+      draco10ByPrefix: times(drawn.draco10, prefix ?? Infinity),
+      simplified: times(drawn.simplified),
+    };
+  });
 }
 
 /** At small shares of our bytes: our distance and the others'. */
@@ -81,7 +76,7 @@ function lowRates(raw, drawn) {
 /** Prefixes from the smallest share up, and those among them that are farther from the source than the envelope. */
 function nearer(raw, drawn) {
   const judged = raw.prefixes.filter((point) => point.bytes >= Math.floor(SHARES[0] * raw.default.bytes));
-  const farther = judged.filter((point) => point.rms > (errorAt(drawn.simplified, point.bytes) ?? Infinity));
+  const farther = judged.filter((point) => (point.rms ?? Infinity) > (errorAt(drawn.simplified, point.bytes) ?? Infinity));
   return { prefixes: judged.length, farther: farther.length };
 }
 

@@ -33,7 +33,7 @@ int main(int count, char** words) {
       ->check(CLI::PositiveNumber);
   sizesCommand.add_option("--prefixes", sizeOptions.prefixes, "Prefixes between the layers' ends")
       ->capture_default_str();
-  sizesCommand.add_flag("--rate", sizeOptions.rate, "Also other bounds, simplified meshes and other codecs");
+  sizesCommand.add_flag("--rate", sizeOptions.rate, "Also simplified meshes and other codecs");
   sizesCommand.callback([&] { std::cout << sizes(readSubject(request), sizeOptions) << "\n"; });
 
   TimeOptions timeOptions;

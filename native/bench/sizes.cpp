@@ -196,8 +196,8 @@ Json sizes(const Subject& subject, const SizeOptions& options) {
   json["prefixes"] = prefixes(stream, subject, ruler, options.prefixes);
   json["lossless"] = losslessJson(subject);
   json["draco"] = draco(subject.mesh, ruler);
-  if (!options.rate) return json;
   json["bounds"] = otherBounds(subject, ruler);
+  if (!options.rate) return json;
   json["simplified"] = simplifiedDraco(subject.mesh, ruler);
   json["meshopt"] = meshopt(subject.mesh, ruler);
   json["zstdVolume"] = zstdBytes(subject.volume.samples);
