@@ -1,0 +1,90 @@
+// However the bytes arrive, the surfaces are the same.
+#include "round_trip.h"
+#include "surface_checks.h"
+
+namespace isostar {
+namespace {
+
+/// What is shown after each layer: the prefix's length and the mesh.
+struct Shown {
+  uint64_t bytes;
+  std::vector<float> positions;
+  std::vector<uint32_t> triangles;
+  friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+std::vector<Shown> shownInPieces(const Bytes& bytes, std::size_t length) {
+  std::vector<Shown> all;
+  Decoder decoder;
+  for (std::size_t at = 0; at < bytes.size(); at += length) {
+    decoder.feed(std::span(bytes).subspan(at, std::min(length, bytes.size() - at)));
+    while (decoder.advance()) {
+      Mesh mesh = meshOf(decoder, {Polygonizer::Tetrahedra, Frame::World, false});
+      all.push_back({decoder.bytes(), std::move(mesh.positions), std::move(mesh.triangles)});
+    }
+    EXPECT_EQ(decoder.error(), Error::None);
+  }
+  EXPECT_TRUE(decoder.complete());
+  return all;
+}
+
+TEST(Feeding, inPiecesOfAnySize) {
+  for (const auto& field : fieldsOf({20, 13, 17})) {
+    const Bytes bytes = encoded(field);
+    const auto whole = shownInPieces(bytes, bytes.size());
+    for (std::size_t length : {1u, 7u, 1000u}) EXPECT_EQ(shownInPieces(bytes, length), whole) << field.name << ", " << length;
+  }
+}
+
+TEST(Feeding, nothingIsWrongBeforeTheEnd) {
+  const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  Decoder decoder;
+  EXPECT_FALSE(decoder.advance());
+  EXPECT_FALSE(decoder.ready());
+  EXPECT_EQ(decoder.levels(), 0);
+  EXPECT_EQ(decoder.level(), -1);
+  decoder.feed({});
+  decoder.feed(std::span(bytes).first(10));
+  EXPECT_FALSE(decoder.advance());
+  EXPECT_EQ(decoder.error(), Error::None);
+  decoder.finish();
+  EXPECT_FALSE(decoder.advance());
+  EXPECT_EQ(decoder.error(), Error::Truncated);
+}
+
+TEST(Feeding, trailingBytesAreSomebodyElses) {
+  Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  const std::size_t length = bytes.size();
+  const Mesh expected = decoded(bytes);
+  bytes.resize(length + 100, std::byte{0x55});
+  const Decoder decoder = decoderOf(bytes);
+  EXPECT_EQ(decoder.error(), Error::None);
+  EXPECT_TRUE(decoder.complete());
+  EXPECT_EQ(decoder.bytes(), length);
+  EXPECT_EQ(meshOf(decoder).positions, expected.positions);
+}
+
+TEST(Feeding, decodersCanBeMoved) {
+  const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  Decoder first;
+  first.feed(std::span(bytes).first(bytes.size() / 2));
+  while (first.advance()) {
+  }
+  Decoder second = std::move(first);
+  second.feed(std::span(bytes).subspan(bytes.size() / 2));
+  while (second.advance()) {
+  }
+  EXPECT_EQ(meshOf(second).positions, decoded(bytes).positions);
+}
+
+TEST(Feeding, aMeshCanBeMadeTwice) {
+  const Decoder decoder = decoderOf(encoded(sampled("gyroid", {20, 13, 17}, gyroid())));
+  Mesh mesh = meshOf(decoder);
+  const Mesh first = mesh;
+  ASSERT_EQ(decoder.mesh({}, mesh), Error::None);
+  EXPECT_EQ(mesh.positions, first.positions);
+  EXPECT_EQ(mesh.triangles, first.triangles);
+}
+
+}  // namespace
+}  // namespace isostar

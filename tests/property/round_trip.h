@@ -1,0 +1,53 @@
+// Through the public API: a volume to a stream, a stream to a mesh.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "sampled_field.h"
+
+namespace isostar {
+
+using Bytes = std::vector<std::byte>;
+
+inline const std::array kPolygonizers{Polygonizer::Cubes, Polygonizer::Tetrahedra};
+
+inline std::string named(Polygonizer polygonizer) { return polygonizer == Polygonizer::Cubes ? "cubes" : "tetrahedra"; }
+
+inline Bytes encoded(const SampledField& field, const EncodeOptions& options = {}) {
+  Bytes bytes;
+  EXPECT_EQ(encode(field.volume(), options, bytes), Error::None) << described(field);
+  return bytes;
+}
+
+/// A decoder that has heard a prefix and been told that no more will come. Its bytes are a copy of their very length.
+inline Decoder decoderOf(std::span<const std::byte> prefix, const Limits& limits = {}) {
+  const Bytes copy(prefix.begin(), prefix.end());
+  Decoder decoder(limits);
+  decoder.feed(copy);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  return decoder;
+}
+
+inline Mesh meshOf(const Decoder& decoder, const MeshOptions& options = {}) {
+  Mesh mesh;
+  EXPECT_EQ(decoder.mesh(options, mesh), Error::None);
+  return mesh;
+}
+
+inline Mesh decoded(std::span<const std::byte> bytes, const MeshOptions& options = {}) {
+  const Decoder decoder = decoderOf(bytes);
+  EXPECT_EQ(decoder.error(), Error::None);
+  EXPECT_TRUE(decoder.complete());
+  return meshOf(decoder, options);
+}
+
+/// The source's own surface.
+inline Mesh sourceMesh(const SampledField& field, const MeshOptions& options = {}, double isovalue = 0) {
+  Mesh mesh;
+  EXPECT_EQ(polygonize(field.volume(), isovalue, options, mesh), Error::None) << described(field);
+  return mesh;
+}
+
+}  // namespace isostar
