@@ -9,17 +9,6 @@
 namespace isostar {
 namespace {
 
-bool sensible(const Volume& v, const EncodeOptions& o) {
-  uint64_t samples = 1;
-  for (int32_t n : v.size) {
-    if (n < 1 || n >= (1 << 28)) return false;
-    samples *= static_cast<uint64_t>(n);
-    if (samples > v.samples.size()) return false;
-  }
-  return samples == v.samples.size() && std::isfinite(o.isovalue) && (o.lossless || (o.maxError > 0 && std::isfinite(o.maxError))) &&
-         std::all_of(v.samples.begin(), v.samples.end(), [](float s) { return std::isfinite(s); });
-}
-
 Header makeHeader(const Volume& volume, const EncodeOptions& options) {
   Header h;
   h.size = volume.size;
@@ -27,7 +16,7 @@ Header makeHeader(const Volume& volume, const EncodeOptions& options) {
   h.isovalue = options.isovalue;
   h.polygonizer = options.polygonizer;
   h.lossless = options.lossless;
-  h.maxError = options.lossless ? 0 : static_cast<float>(options.maxError);
+  h.maxError = options.lossless ? 0 : static_cast<float>(std::clamp(options.maxError, 1e-9, 1e9));
   while (std::ranges::any_of(h.base().last, [](int32_t last) { return last > Header::kMostBaseCells; })) ++h.octaves;
   return h;
 }
@@ -120,7 +109,8 @@ GeometryPass halving(const Header& header, double distance) {
 void tellGeometry(LayerWriter& layers, const Header& header) {
   constexpr double kCoarsest = 0.1;  // octaves alone are nearly as good
   constexpr double kFinestOfLossless = 0.025;
-  const double bound = header.lossless ? 0 : double{header.maxError};
+  constexpr double kFinest = 1e-6;  // all is told
+  const double bound = header.lossless ? 0 : std::max(double{header.maxError}, kFinest);
   tellPass(layers, header, {LayerKind::Octaves, Members::AxisEnds, bound > 0.3 ? 1 : bound > 0.15 ? 2 : 3, {}, 0, false});
   double distance = header.lossless ? kFinestOfLossless : bound;
   while (distance * 2 <= kCoarsest) distance *= 2;
@@ -143,7 +133,8 @@ void tellGeometry(LayerWriter& layers, const Header& header) {
 }  // namespace
 
 Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out) {
-  if (!sensible(volume, options)) return Error::BadArgument;
+  const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
+  if (!bounded || !sensible(volume, options.isovalue)) return Error::BadArgument;
   const VolumeField field(volume, options.isovalue);
   Header header = makeHeader(volume, options);
   const auto finest = field.signs(1);

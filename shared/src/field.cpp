@@ -8,6 +8,17 @@
 
 namespace isostar {
 
+bool sensible(const Volume& volume, double isovalue) {
+  uint64_t samples = 1;
+  for (int32_t n : volume.size) {
+    if (n < 1 || n >= (1 << 28)) return false;
+    samples *= static_cast<uint64_t>(n);
+    if (samples > volume.samples.size()) return false;
+  }
+  return samples == volume.samples.size() && std::isfinite(isovalue) && invertible(volume.placement) &&
+         std::ranges::all_of(volume.samples, [](float s) { return std::isfinite(s); });
+}
+
 Signs<3> VolumeField::signs(int32_t step) const {
   const Lattice<3> lattice(last_, step);
   Signs<3> signs(lattice);

@@ -9,6 +9,9 @@
 
 namespace isostar {
 
+/// Is there a surface to ask for? As many samples as the size says, all finite, and a placement with an inverse.
+[[nodiscard]] bool sensible(const Volume& volume, double isovalue);
+
 class VolumeField {
  public:
   VolumeField(const Volume& volume, double isovalue) : samples_(volume.samples), isovalue_(isovalue) {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "field.h"
 #include "isostar/isostar.h"
 #include "octave.h"
@@ -10,13 +7,7 @@
 namespace isostar {
 
 Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
-  uint64_t samples = 1;
-  for (int32_t n : volume.size) {
-    if (n < 1) return Error::BadArgument;
-    samples *= static_cast<uint64_t>(n);
-    if (samples > volume.samples.size()) return Error::BadArgument;
-  }
-  if (!std::isfinite(isovalue) || !std::ranges::all_of(volume.samples, [](float s) { return std::isfinite(s); })) return Error::BadArgument;
+  if (!sensible(volume, isovalue)) return Error::BadArgument;
   const VolumeField field(volume, isovalue);
   const auto signs = field.signs(1);
   Header header;

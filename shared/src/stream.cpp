@@ -32,12 +32,22 @@ void wholeOffsets(Header& h) {
   h.negativeOffset = fraction;
 }
 
-bool finite(const Placement& p) {
-  auto all = [](const auto& values) { return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }); };
-  return all(p.origin) && all(p.direction) && all(p.spacing) && std::all_of(p.spacing.begin(), p.spacing.end(), [](double s) { return s > 0; });
-}
-
 }  // namespace
+
+bool invertible(const Placement& p) {
+  constexpr double kFar = 1e30, kWide = 1e20, kStretched = 1e6, kFlat = 1e-6;
+  double lengths = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double length = std::hypot(p.direction[a], p.direction[a + 3], p.direction[a + 6]);
+    if (!(std::abs(p.origin[a]) < kFar) || !(p.spacing[a] > 1 / kWide && p.spacing[a] < kWide)) return false;
+    if (!(length > 1 / kStretched && length < kStretched)) return false;
+    lengths *= length;
+  }
+  const auto& d = p.direction;
+  const double determinant =
+      d[0] * (d[4] * d[8] - d[5] * d[7]) - d[1] * (d[3] * d[8] - d[5] * d[6]) + d[2] * (d[3] * d[7] - d[4] * d[6]);
+  return std::abs(determinant) > kFlat * lengths;
+}
 
 uint32_t checksum(std::span<const std::byte> bytes) { return XXH32(bytes.data(), bytes.size(), 0); }
 
@@ -112,7 +122,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (r.overrun()) return Error::Truncated;
   if (expected != checksum(body.first(length))) return Error::Corrupt;
   if (!sane || layers > kMostLayers || !std::isfinite(h.isovalue) || !(h.quantum > 0) || !std::isfinite(h.quantum) || !(h.maxError >= 0) ||
-      !finite(h.placement)) {
+      !invertible(h.placement)) {
     return Error::Corrupt;
   }
   h.layers = static_cast<uint32_t>(layers);

@@ -46,6 +46,9 @@ void write(ByteWriter& out, const LayerHead& head);
 [[nodiscard]] Error read(std::span<const std::byte> in, Header& out, std::size_t& used);
 [[nodiscard]] Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, std::size_t& used);
 
+/// Finite, and with an inverse; far from where single precision ends.
+[[nodiscard]] bool invertible(const Placement& placement);
+
 [[nodiscard]] uint32_t checksum(std::span<const std::byte> bytes);
 
 }  // namespace isostar
