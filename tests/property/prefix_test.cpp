@@ -1,0 +1,127 @@
+// Every prefix of a stream decodes to the best surface that its bytes determine.
+#include "round_trip.h"
+#include "surface_checks.h"
+
+namespace isostar {
+namespace {
+
+double distanceToSphere(const Mesh& mesh, const Size& size, double radius) {
+  double sum = 0;
+  for (uint32_t i = 0; i < verticesOf(mesh); ++i) {
+    Point p = pointAt(mesh.positions, i);
+    for (std::size_t a = 0; a < 3; ++a) p[a] -= 0.5 * (size[a] - 1);
+    const double off = std::sqrt(dot(p, p)) - radius;
+    sum += off * off;
+  }
+  return verticesOf(mesh) == 0 ? 0 : std::sqrt(sum / verticesOf(mesh));
+}
+
+void expectEachPrefixShows(const SampledField& field, const EncodeOptions& options) {
+  const Bytes bytes = encoded(field, options);
+  SCOPED_TRACE(described(field) + ", " + std::to_string(bytes.size()) + " bytes");
+  uint64_t before = 0;
+  for (std::size_t length = 0; length <= bytes.size(); ++length) {
+    SCOPED_TRACE("the first " + std::to_string(length));
+    const Decoder decoder = decoderOf(std::span(bytes).first(length));
+    ASSERT_EQ(decoder.error(), length < bytes.size() ? Error::Truncated : Error::None);
+    ASSERT_EQ(decoder.complete(), length == bytes.size());
+    ASSERT_GE(decoder.bytes(), before);
+    ASSERT_LE(decoder.bytes(), length);
+    before = decoder.bytes();
+    Mesh mesh;
+    ASSERT_EQ(decoder.mesh({options.polygonizer, Frame::Grid, true}, mesh), decoder.ready() ? Error::None : Error::Truncated);
+    expectSound(mesh);
+    expectClosed(mesh, field.size);
+  }
+}
+
+TEST(Prefix, ofEachLengthOfSmallStreams) {
+  for (const Size& size : {Size{2, 2, 2}, Size{5, 4, 6}, Size{9, 9, 9}}) {
+    for (const auto& field : fieldsOf(size)) {
+      EncodeOptions options;
+      expectEachPrefixShows(field, options);
+      options.lossless = true;
+      options.polygonizer = Polygonizer::Tetrahedra;
+      if (field.samples.size() < 200) expectEachPrefixShows(field, options);
+    }
+  }
+}
+
+TEST(Prefix, errorFallsLayerByLayer) {
+  const Size size{40, 40, 40};
+  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)), sampled("gyroid", size, gyroid(23))}) {
+    const Decoder decoder = decoderOf(encoded(field));
+    double before = 1e9;
+    for (const LayerInfo& layer : decoder.info().layers) {
+      if (layer.level < 2) continue;  // of a few vertices, all by chance near the surface
+      EXPECT_LE(layer.error, before * 1.01) << field.name << ", " << layer.kind << " " << layer.level;
+      before = layer.error;
+    }
+    EXPECT_LT(before, 0.05) << field.name;
+    EXPECT_EQ(decoder.rmsError(), before);
+  }
+}
+
+TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
+  const Size size{60, 60, 60};
+  const auto field = sampled("sphere", size, sphere(size));
+  Decoder decoder;
+  decoder.feed(encoded(field));
+  while (decoder.advance()) {
+    const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 59 + 0.013);
+    EXPECT_NEAR(found, decoder.rmsError(), 0.3 * found + 0.003) << "level " << decoder.level();
+  }
+}
+
+TEST(Prefix, aTornLayerIsNoWorseThanNone) {
+  const Size size{30, 30, 30};
+  const Bytes bytes = encoded(sampled("sphere", size, sphere(size)));
+  const StreamInfo info = decoderOf(bytes).info();
+  for (std::size_t length = 100; length < bytes.size(); length += 7) {
+    const Decoder decoder = decoderOf(std::span(bytes).first(length));
+    if (decoder.level() < decoder.levels() - 1) continue;
+    const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 29 + 0.013);
+    EXPECT_LE(found, decoder.rmsError() * 1.15 + 0.002) << length << " bytes";
+  }
+}
+
+TEST(Prefix, layersSayWhereTheyEnd) {
+  const Bytes bytes = encoded(sampled("gyroid", {30, 20, 25}, gyroid()));
+  const StreamInfo whole = decoderOf(bytes).info();
+  ASSERT_FALSE(whole.layers.empty());
+  EXPECT_EQ(whole.bytes, bytes.size());
+  uint64_t sum = whole.headerBytes;
+  for (std::size_t i = 0; i < whole.layers.size(); ++i) {
+    const auto& layer = whole.layers[i];
+    sum += layer.bytes;
+    EXPECT_EQ(decoderOf(std::span(bytes).first(layer.offset)).info().layers.size(), i + 1);
+    EXPECT_EQ(decoderOf(std::span(bytes).first(layer.offset - 1)).info().layers.size(), i);
+  }
+  EXPECT_EQ(sum, bytes.size());
+  EXPECT_EQ(whole.layers.back().offset, bytes.size());
+}
+
+TEST(Prefix, inspectTellsWhatTheDecoderTells) {
+  const auto field = sampled("gyroid", {30, 20, 25}, gyroid());
+  const Bytes bytes = encoded(field);
+  StreamInfo found;
+  ASSERT_EQ(inspect(bytes, found), Error::None);
+  const StreamInfo expected = decoderOf(bytes).info();
+  ASSERT_EQ(found.layers.size(), expected.layers.size());
+  for (std::size_t i = 0; i < found.layers.size(); ++i) {
+    EXPECT_EQ(found.layers[i].kind, expected.layers[i].kind);
+    EXPECT_EQ(found.layers[i].offset, expected.layers[i].offset);
+    EXPECT_EQ(found.layers[i].error, expected.layers[i].error);
+  }
+  EXPECT_EQ(found.bytes, bytes.size());
+  EXPECT_EQ(found.vertices, verticesOf(sourceMesh(field)));
+  EXPECT_EQ(found.size, field.size);
+  for (std::size_t length = 0; length <= bytes.size(); ++length) {
+    StreamInfo part;
+    const Error error = inspect(std::span(bytes).first(length), part);
+    ASSERT_TRUE(error == Error::None || (error == Error::Truncated && length < 64)) << length;
+  }
+}
+
+}  // namespace
+}  // namespace isostar
