@@ -36,8 +36,8 @@ class GeometryCoder {
       auto& brick = scalars.writable(place);
       const int floor = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
       // Positive vertices first: the others then know the far ends of their crossing edges.
-      for (const bool positive : {true, false}) tube.forEach([&](int row, std::size_t r, int x) {
-        if (tube.positive(row, x) != positive || ask.spent()) return;
+      for (const bool positive : {true, false}) tube.forEach(positive, [&](int row, std::size_t r, int x) {
+        if (ask.spent()) return;
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         const int octave = tellOctave(ask, row, r, x, floor, ask.magnitude(place, r, x));
         const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor + octave - 1);
@@ -68,8 +68,8 @@ class GeometryCoder {
         if (!brick.knows(v) || ask.spent()) return;
         const bool positive = tube.positive(row, x);
         const auto guess = Interpolation<D>::of(window_, r, x, positive);
-        for (int told = 0; told < most && brick.width[v] > 0; ++told) {
-          if (!moves(row, x, r, brick.middle(v), brick.width[v], allowed)) break;
+        findCrossed(row, x, r, allowed);
+        for (int told = 0; told < most && brick.width[v] > 0 && moves(brick.middle(v), brick.width[v]); ++told) {
           halve(ask, brick, v, guess, positive, ask.magnitude(place, r, x));
           window_.value[window_.index(r, x)] = brick.value[v];
         }
@@ -153,23 +153,21 @@ class GeometryCoder {
   [[nodiscard]] Beside neighbours(int row, std::size_t r, int x) const {
     Beside beside;
     int64_t other = 0, same = 0;
-    int others = 0, sames = 0;
-    const int here = window_.index(r, x);
+    int32_t others = 0, sames = 0;
+    const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
     const bool mine = tube_->positive(row, x);
     for (int a = 0; a < D; ++a) {
       for (int side = -1; side <= 1; side += 2) {
         const bool theirs = a == 0 ? tube_->positive(row, x + side) : tube_->positive(row + side * Window<D>::rowStride(a), x);
-        beside.crossings += theirs != mine;
-        const int32_t known = window_.value[here + side * ScalarWindow<D>::stride(a)];
-        if (known == Scalars<D>::kUnknown) continue;
-        const int64_t size = known < 0 ? -int64_t{known} : known;
-        if (theirs != mine) {
-          other += size;
-          ++others;
-        } else {
-          same += size;
-          ++sames;
-        }
+        const int32_t value = here[side * ScalarWindow<D>::stride(a)];
+        // Masks instead of branches, which nobody could predict.
+        const int32_t known = value == Scalars<D>::kUnknown ? 0 : -1, crossing = theirs != mine ? -1 : 0;
+        const int32_t size = (value < 0 ? -(value & known) : value) & known;
+        beside.crossings -= static_cast<std::size_t>(static_cast<std::ptrdiff_t>(crossing));
+        other += size & crossing;
+        others -= known & crossing;
+        same += size & ~crossing;
+        sames -= known & ~crossing;
       }
     }
     if (others != 0) beside.other = relative(other, others);
@@ -182,23 +180,18 @@ class GeometryCoder {
     return static_cast<std::size_t>(std::clamp(size + 11, 1, 15));
   }
 
-  /// May the interval move a crossing on an edge of the vertex by more than allowed?
-  [[nodiscard]] bool moves(int row, int x, std::size_t r, uint32_t middle, int width, const Allowed& allowed) const {
+  /// The far ends of a vertex's crossed edges whose scalars are known.
+  void findCrossed(int row, int x, std::size_t r, const Allowed& allowed) {
     const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
     const bool mine = tube_->positive(row, x);
+    crossedCount_ = 0;
     for (int a = 0; a < D; ++a) {
-      for (int side = -1; side <= 1; side += 2) {
-        const int32_t known = here[side * ScalarWindow<D>::stride(a)];
-        if (known != Scalars<D>::kUnknown && (known > 0) != mine && exceeds(known, middle, width, allowed[std::size_t{1} << a])) return true;
-      }
+      for (int side = -1; side <= 1; side += 2) addCrossed(here[side * ScalarWindow<D>::stride(a)], mine, allowed[std::size_t{1} << a]);
     }
-    return allowed.back() != 0 && movesDiagonal(row, r, x, middle, width, allowed);
+    if (allowed.back() != 0) addDiagonals(here, mine, Tube<D>::parity(r, x), allowed);
   }
 
-  [[nodiscard]] bool movesDiagonal(int row, std::size_t r, int x, uint32_t middle, int width, const Allowed& allowed) const {
-    const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
-    const bool mine = tube_->positive(row, x);
-    const unsigned parity = Tube<D>::parity(r, x);
+  void addDiagonals(const int32_t* here, bool mine, unsigned parity, const Allowed& allowed) {
     Coordinates<D> d;
     d.fill(-1);
     for (std::size_t n = 0; n < power(3, D); ++n) {
@@ -209,18 +202,27 @@ class GeometryCoder {
         offset += d[a] * ScalarWindow<D>::stride(a);
       }
       // Ends are even on all axes of the diagonal, or odd on all.
-      if (!std::has_single_bit(axes) && axes != 0 && ((parity & axes) == 0 || (parity & axes) == axes)) {
-        const int32_t known = here[offset];
-        if (known != Scalars<D>::kUnknown && (known > 0) != mine && exceeds(known, middle, width, allowed[axes])) return true;
-      }
+      if (!std::has_single_bit(axes) && axes != 0 && ((parity & axes) == 0 || (parity & axes) == axes)) addCrossed(here[offset], mine, allowed[axes]);
       for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+    }
+  }
+
+  /// Written always, counted where it is one: a branch less that nobody could predict.
+  void addCrossed(int32_t value, bool mine, uint32_t allowed) {
+    crossed_[crossedCount_] = {static_cast<uint32_t>(value < 0 ? -int64_t{value} : value), allowed};
+    crossedCount_ += value != Scalars<D>::kUnknown && (value > 0) != mine ? 1 : 0;
+  }
+
+  /// May the interval move a crossing on one of the edges found by more than allowed?
+  [[nodiscard]] bool moves(uint32_t middle, int width) const {
+    for (std::size_t i = 0; i < crossedCount_; ++i) {
+      if (exceeds(crossed_[i].size, middle, width, crossed_[i].allowed)) return true;
     }
     return false;
   }
 
   /// Half the interval times |b| / (|a| + |b|)² is how far the crossing moves.
-  static bool exceeds(int32_t known, uint32_t middle, int width, uint32_t allowed) {
-    uint64_t other = static_cast<uint64_t>(known < 0 ? -int64_t{known} : known);
+  static bool exceeds(uint64_t other, uint32_t middle, int width, uint32_t allowed) {
     uint64_t total = other + middle, size = uint64_t{2} << width;
     const int excess = std::max(0, 44 - std::countl_zero(total));
     other >>= excess;
@@ -247,6 +249,12 @@ class GeometryCoder {
 
   std::array<Tubes<D>, 2> tubes_;  // by Members
   const Tube<D>* tube_ = nullptr;
+  struct Crossed {
+    uint32_t size;  // of the scalar at the far end, half quanta
+    uint32_t allowed;
+  };
+  std::array<Crossed, power(3, D)> crossed_;
+  std::size_t crossedCount_ = 0;
   ScalarWindow<D> window_;
   int gradient_ = 0;
   int64_t steps_ = 1;

@@ -60,7 +60,7 @@ class Chance {
     const uint32_t n = state_ & 1023;
     const uint32_t p = state_ >> 10;  // 22 bits
     const int32_t gap = static_cast<int32_t>(truth ? (1u << 22) - 1 : 0) - static_cast<int32_t>(p);
-    const auto moved = static_cast<uint32_t>(static_cast<int32_t>(p) + static_cast<int32_t>((int64_t{gap} * reciprocal(n)) >> 16));
+    const auto moved = static_cast<uint32_t>(static_cast<int32_t>(p) + ((gap >> 7) * reciprocalOf(n) >> 9));
     state_ = moved << 10 | (n < Limit ? n + 1 : n);
   }
 
@@ -72,11 +72,11 @@ class Chance {
   }
 
  private:
-  static int32_t reciprocal(uint32_t n) {
+  static int32_t reciprocalOf(uint32_t n) {
     struct Table {
       std::array<int32_t, 1024> value{};
       constexpr Table() {
-        for (int i = 0; i < 1024; ++i) value[static_cast<std::size_t>(i)] = 65536 * 2 / (2 * i + 3);
+        for (int i = 0; i < 1024; ++i) value[static_cast<std::size_t>(i)] = 65535 * 2 / (2 * i + 3);
       }
     };
     static constexpr Table kTable{};
@@ -90,31 +90,34 @@ class Chance {
 template <int N>
 class Mixer {
  public:
-  using Weights = std::array<int32_t, N>;
+  using Weights = std::array<int32_t, N>;  // 1/16384, within [-8, 8]
   [[nodiscard]] static Weights fresh() {
     Weights w;
-    w.fill(65536 * 10 / (N * 8));
+    w.fill(kOne * 10 / (N * 8));
     return w;
   }
 
-  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate.
+  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits, so that
+  /// the inputs are worked on side by side.
   template <int Limit, int Rate, class Coder>
   static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights) {
     std::array<int32_t, N> logOdds;
-    int64_t sum = 0;
-    for (int i = 0; i < N; ++i) {
-      logOdds[i] = Logistic::stretch(contexts[i]->value());
-      sum += int64_t{weights[i]} * logOdds[i];
-    }
-    const uint32_t chance = Logistic::squash(static_cast<int>(sum >> 16));
+    for (int i = 0; i < N; ++i) logOdds[i] = Logistic::stretch(contexts[i]->value());
+    int32_t sum = 0;
+    for (int i = 0; i < N; ++i) sum += weights[i] * logOdds[i];
+    const uint32_t chance = Logistic::squash(sum >> 14);
     const bool value = coder.bit(truth, chance);
-    const int32_t error = static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance);
+    const int32_t error = (static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance)) >> 2;
     for (int i = 0; i < N; ++i) {
-      weights[i] += (logOdds[i] * (error >> 2) + (1 << (Rate - 1))) >> Rate;
-      contexts[i]->template learn<Limit>(value);
+      const int32_t moved = weights[i] + ((logOdds[i] * error + (1 << (Rate + 1))) >> (Rate + 2));
+      weights[i] = std::clamp(moved, -8 * kOne, 8 * kOne);
     }
+    for (int i = 0; i < N; ++i) contexts[i]->template learn<Limit>(value);
     return value;
   }
+
+ private:
+  static constexpr int32_t kOne = 1 << 14;
 };
 
 }  // namespace isostar

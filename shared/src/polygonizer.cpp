@@ -93,17 +93,20 @@ class Polygonization {
     Window<3>& window = windows_[slot_[place]];
     window.load(signs_, brick);
     EdgeIndex& index = index_[slot_[place]];
-    for (unsigned axes = 1; axes <= 7; ++axes) {
+    bool inner = true;
+    for (int a = 0; a < 3; ++a) inner = inner && (brick[a] + 1) * kBrickSide <= lattice_.last[a];
+    auto number = static_cast<uint32_t>(vertices_);
+    for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
       for (unsigned r = 0; r < kRows; ++r) {
-        const int row = Window<3>::row({0, static_cast<int32_t>(r & 7), static_cast<int32_t>(r >> 3)});
-        const Bits inside = edgesInside(lattice_, brick, r, axes);
-        const Bits bits = inside != 0 ? crossedEdges(window, row, r, axes) & inside : 0;
+        const Bits inside = inner ? 0xFF : edgesInside(lattice_, brick, r, axes);
+        const Bits bits = crossedEdges(window, Window<3>::kOwnRows[r], r, axes) & inside;
         index.crossed[axes - 1][r] = static_cast<uint8_t>(bits);
-        index.first[axes - 1][r] = static_cast<uint32_t>(vertices_);
-        vertices_ += static_cast<uint64_t>(std::popcount(bits));
+        index.first[axes - 1][r] = number;
+        number += static_cast<uint32_t>(std::popcount(bits));
       }
     }
+    vertices_ = number;
   }
 
   /// |scalar - isovalue| in half quanta at a vertex of the window.

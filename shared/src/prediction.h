@@ -29,11 +29,11 @@ struct Prediction {
     auto add = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {
       constexpr Neighbour n = kAround[I];
       const int32_t value = here[n.offset];
-      if (value == Scalars<D>::kUnknown) return;
-      sum += value * n.weight;
-      packed += n.packed;
+      const int64_t known = value == Scalars<D>::kUnknown ? 0 : -1;
+      sum += (value & known) * n.weight;
+      packed += n.packed & static_cast<uint64_t>(known);
     };
-    // Unrolled, so that offsets and weights are constants.
+    // Unrolled, so that offsets and weights are constants, and without branches, which nobody could predict.
     [&]<std::size_t... I>(std::index_sequence<I...>) { (add(std::integral_constant<std::size_t, I>{}), ...); }
     (std::make_index_sequence<kAround.size()>{});
     const auto weight = static_cast<int32_t>(packed & 0xFF);

@@ -41,11 +41,15 @@ class RefinementCoder {
   static constexpr std::size_t kBrickRows = power(kBrickSide, D - 1);
   using Bits = uint32_t;
 
-  static constexpr std::array<Neighbourhood<D>, kSets> kNeighbourhoods = [] {
-    std::array<Neighbourhood<D>, kSets> all{};
-    for (unsigned o = 1; o < kSets; ++o) all[o] = Neighbourhood<D>(o);
-    return all;
-  }();
+  /// By the set of fresh axes; made once, at run time, since the tables would be a large part of a small decoder.
+  static const std::array<Neighbourhood<D>, kSets>& neighbourhoods() {
+    static const std::array<Neighbourhood<D>, kSets> kAll = [] {
+      std::array<Neighbourhood<D>, kSets> all{};
+      for (unsigned o = 1; o < kSets; ++o) all[o] = Neighbourhood<D>(o);
+      return all;
+    }();
+    return kAll;
+  }
 
   /// A row of a brick with vertices of the class.
   struct Row {
@@ -135,7 +139,7 @@ class RefinementCoder {
 
   /// Which vertices of a row have a diamond of both signs: all at once.
   [[nodiscard]] Bits crossing(const Row& row) const {
-    const auto& n = kNeighbourhoods[row.fresh];
+    const auto& n = neighbourhoods_[row.fresh];
     Bits some = 0, all = ~0u;
     for (int i = 0; i < n.diamondCount(); ++i) {
       const Bits bits = static_cast<Bits>(window_.rows[row.window + n.diamond[i].rows]) >> (Window<D>::kHalo + n.diamond[i].bits);
@@ -168,7 +172,7 @@ class RefinementCoder {
 
   template <class Exchange>
   bool tell(Exchange& ask, const Row& row, int x, bool truth) {
-    const auto& n = kNeighbourhoods[row.fresh];
+    const auto& n = neighbourhoods_[row.fresh];
     const uint16_t* here = &window_.rows[row.window];
     const int at = x + Window<D>::kHalo;
     auto gather = [&](const Step* steps, int count) {
@@ -226,6 +230,7 @@ class RefinementCoder {
     for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = static_cast<uint8_t>(window_.rows[Window<D>::kOwnRows[r]] >> Window<D>::kHalo);
   }
 
+  const std::array<Neighbourhood<D>, kSets>& neighbourhoods_ = neighbourhoods();
   std::vector<uint8_t> active_;  // bricks of the octave in work, as of activeBricks()
   std::vector<std::size_t> changedPlaces_;
   Window<D> window_;

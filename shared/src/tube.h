@@ -1,6 +1,7 @@
 // The tube's vertices in a brick of the finest octave: those whose scalars shape the surface.
 #pragma once
 
+#include <bit>
 #include <deque>
 #include <vector>
 
@@ -48,11 +49,21 @@ class Tube {
     return odd;
   }
 
+  /// Calls visit(window row, brick row, x) for each member of a sign in order.
+  template <class Visit>
+  void forEach(bool positive, Visit visit) const {
+    for (std::size_t r = 0; r < kRows; ++r) {
+      const int row = Window<D>::kOwnRows[r];
+      const uint32_t signs = bits(row) >> Window<D>::kHalo;
+      for (uint32_t open = mask_[r] & (positive ? signs : ~signs); open != 0; open &= open - 1) visit(row, r, std::countr_zero(open));
+    }
+  }
+
   /// Calls visit(window row, brick row, x) for each member in order.
   template <class Visit>
   void forEach(Visit visit) const {
     for (std::size_t r = 0; r < kRows; ++r) {
-      for (uint32_t open = mask_[r]; open != 0; open &= open - 1) visit(Window<D>::kOwnRows[r], r, __builtin_ctz(open));
+      for (uint32_t open = mask_[r]; open != 0; open &= open - 1) visit(Window<D>::kOwnRows[r], r, std::countr_zero(open));
     }
   }
 
