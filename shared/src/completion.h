@@ -7,9 +7,10 @@
 
 namespace isostar {
 
-/// Gives every vertex of a class in the active bricks a value, least 1 half quantum. Known ones stay.
+/// Gives every vertex of a class in the active bricks a value; known ones stay. Values count 2^-finer half quanta: where a
+/// quantum is a large part of a step, estimates need more.
 template <int D>
-void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, Scalars<D>& scalars) {
+void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars) {
   constexpr int kPlainGradient = 4 * 12;  // where nothing has been told: any will do, only ratios show
   const Scalars<D> known = scalars;
   Tube<D> tube;
@@ -22,7 +23,7 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     if (known.has(place)) gradient = known.gradient(place);
     window.load(known, tube.table(), tube.at());
     auto& brick = scalars.writable(place);
-    const int64_t steps = halfQuanta(gradient);
+    const int64_t steps = halfQuanta(gradient) << finer;
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;

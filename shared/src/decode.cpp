@@ -65,6 +65,7 @@ struct Decoder::State {
   bool readHeader();
   bool decodeLayer(const LayerHead& head, std::span<const std::byte> bytes, bool torn);
   bool inOrder(LayerKind kind, int level) const;
+  std::size_t memoryToRefine() const;
   bool fail(Error e) {
     if (error == Error::None) error = e;
     return false;
@@ -113,6 +114,12 @@ bool Decoder::State::inOrder(LayerKind kind, int level) const {
   return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == header->octaves;
 }
 
+/// What it takes at most to begin the next octave: both octaves' tables, a mark for each place, eight bricks for one.
+std::size_t Decoder::State::memoryToRefine() const {
+  const std::size_t places = BrickTable<3>(known->signs.lattice().finer()).total();
+  return known->signs.memory() + places * (sizeof(uint32_t) + 1) + std::size_t{8} * known->signs.brickCount() * sizeof(Brick<3>);
+}
+
 bool Decoder::State::decodeLayer(const LayerHead& head, std::span<const std::byte> bytes, bool torn) {
   constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
   if (!inOrder(head.kind, head.level)) return fail(Error::Corrupt);
@@ -126,8 +133,10 @@ bool Decoder::State::decodeLayer(const LayerHead& head, std::span<const std::byt
     if (fields.overrun()) return torn ? false : fail(Error::Corrupt);
     bytes = bytes.subspan(fields.position());
   }
+  if (head.kind == LayerKind::Refinement && memoryToRefine() > limits.memory) return fail(Error::OverLimit);
+  const std::size_t settled = geometry ? known->signs.memory() : 0;
   RangeDecoder coder(bytes);
-  BlindExchange<3> ask(coder, torn ? 0 : kTrimmed, limits.memory);
+  BlindExchange<3> ask(coder, torn ? 0 : kTrimmed, limits.memory - std::min<std::size_t>(settled, limits.memory));
   if (geometry) {
     known->geometry(ask, pass);
   } else if (head.kind == LayerKind::Base) {
@@ -198,9 +207,12 @@ Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   if (!state_->tornShown && known.told[0] && (known.told[1] || !diagonals)) return polygonize(surface, options, state_->limits.vertices, out);
   const auto active = known.active.empty() ? activeBricks(known.signs) : known.active;
   Scalars<3> scalars = known.active.empty() ? Scalars<3>(active.size()) : known.scalars;
-  estimateMissing(known.signs, active, Members::AxisEnds, scalars);
-  if (diagonals) estimateMissing(known.signs, active, Members::DiagonalEnds, scalars);
-  return polygonize({known.signs, scalars, surface.positiveOffset, surface.negativeOffset, header.placement}, options, state_->limits.vertices, out);
+  const int finer = scalars.magnify();
+  const double scale = 1 << finer;
+  estimateMissing(known.signs, active, Members::AxisEnds, finer, scalars);
+  if (diagonals) estimateMissing(known.signs, active, Members::DiagonalEnds, finer, scalars);
+  return polygonize({known.signs, scalars, surface.positiveOffset * scale, surface.negativeOffset * scale, header.placement}, options,
+                    state_->limits.vertices, out);
 }
 
 }  // namespace isostar

@@ -135,7 +135,7 @@ double SourceDistance::rms(const Signs<3>& signs, const Scalars<3>& scalars, con
   const bool told = !active.empty();
   const auto bricks = told ? active : activeBricks(signs);
   Scalars<3> estimated = told ? Scalars<3>() : Scalars<3>(bricks.size());
-  if (!told) estimateMissing(signs, bricks, Members::AxisEnds, estimated);
+  if (!told) estimateMissing(signs, bricks, Members::AxisEnds, 0, estimated);
   const Scalars<3>& known = told ? scalars : estimated;
   const uint64_t every = countCrossings(signs, bricks) / (step == 1 ? kManySamples : kFewSamples) + 1;
   ScalarWindow<3> window;
