@@ -18,6 +18,12 @@ constexpr std::size_t power(std::size_t base, int exponent) {
   return value;
 }
 
+/// Bytes that a vector uses while it takes one more: where it is full, it and its successor.
+template <class T>
+std::size_t memoryToGrow(const std::vector<T>& v) {
+  return (v.size() < v.capacity() ? v.capacity() : 3 * v.capacity()) * sizeof(T);
+}
+
 /// 8^D signs; bit x of byte r is vertex (x, y, …) with r = y + 8 z + …: in 3D one cache line.
 template <int D>
 struct Brick {
@@ -81,7 +87,8 @@ class Signs {
   [[nodiscard]] const Brick<D>& brick(uint32_t index) const { return bricks_[index]; }
   [[nodiscard]] const Brick<D>& brickAt(std::size_t place) const { return bricks_[at_[place]]; }
   [[nodiscard]] uint32_t brickCount() const { return static_cast<uint32_t>(bricks_.size()); }
-  [[nodiscard]] std::size_t memory() const { return at_.size() * sizeof(uint32_t) + bricks_.size() * sizeof(Brick<D>); }
+  /// Bytes in use, while one more brick is made.
+  [[nodiscard]] std::size_t memory() const { return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_); }
 
   void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }
   void setUniform(std::size_t place, uint32_t uniform) { at_[place] = uniform; }
