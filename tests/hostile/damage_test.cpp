@@ -1,0 +1,82 @@
+// Streams with a bit changed, with checksums as they were and with repaired ones.
+#include "anatomy.h"
+#include "harmless.h"
+
+namespace isostar {
+namespace {
+
+std::vector<SampledField> smallFields() {
+  const Size size{9, 8, 10};
+  return {sampled("sphere", size, sphere(size)), sampled("whole numbers", {5, 4, 6}, [](double x, double y, double z) {
+            return std::round(100 * gyroid(7)(x, y, z));
+          })};
+}
+
+template <class Visit>
+void forEachFlip(const Bytes& bytes, Visit visit) {
+  Bytes flipped = bytes;
+  for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
+    flipped[bit / 8] ^= std::byte{1} << (bit % 8);
+    visit(flipped, bit);
+    flipped[bit / 8] ^= std::byte{1} << (bit % 8);
+  }
+}
+
+TEST(Damage, aChangedBitIsNoticedOrChangesNoSurface) {
+  for (const auto& field : smallFields()) {
+    const Bytes good = encoded(field);
+    const Mesh expected = decoded(good);
+    forEachFlip(good, [&](const Bytes& bytes, std::size_t bit) {
+      const Decoder decoder = harmlesslyDecoded(bytes);
+      if (decoder.error() != Error::None) return;
+      const Mesh mesh = meshOf(decoder);
+      EXPECT_TRUE(mesh.triangles == expected.triangles && mesh.positions == expected.positions)
+          << described(field) << ", bit " << bit % 8 << " of byte " << bit / 8;
+    });
+  }
+}
+
+void expectHarmlessFlips(const SampledField& field, const EncodeOptions& options) {
+  const Bytes good = encoded(field, options);
+  const Anatomy anatomy(good);
+  forEachFlip(good, [&](const Bytes& bytes, std::size_t bit) {
+    SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
+    (void)harmlesslyDecoded(repaired(bytes, anatomy));
+  });
+}
+
+TEST(Damage, behindRightChecksumsItIsHarmless) {
+  EncodeOptions options;
+  options.maxError = 0.1;
+  expectHarmlessFlips(smallFields()[0], options);
+  options.lossless = true;
+  options.polygonizer = Polygonizer::Tetrahedra;
+  expectHarmlessFlips(smallFields()[1], options);
+}
+
+TEST(Damage, aLayerThatIsBadLeavesTheOnesBefore) {
+  const auto field = smallFields()[0];
+  const Bytes good = encoded(field);
+  const Anatomy anatomy(good);
+  for (std::size_t i = 1; i < anatomy.layers.size(); ++i) {
+    if (anatomy.layers[i].end == anatomy.layers[i].payload) continue;
+    Bytes bad = good;
+    bad[anatomy.layers[i].payload] ^= std::byte{1};
+    const Decoder decoder = harmlesslyDecoded(bad), before = decoderOf(std::span(good).first(anatomy.layers[i - 1].end));
+    EXPECT_EQ(decoder.error(), Error::Corrupt);
+    EXPECT_EQ(decoder.bytes(), anatomy.layers[i - 1].end);
+    EXPECT_EQ(meshOf(decoder).positions, meshOf(before).positions);
+  }
+}
+
+TEST(Damage, bytesTakenOutAreNoticed) {
+  const Bytes good = encoded(smallFields()[0]);
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    Bytes bad = good;
+    bad.erase(bad.begin() + static_cast<std::ptrdiff_t>(at));
+    EXPECT_NE(harmlesslyDecoded(bad).error(), Error::None) << "byte " << at;
+  }
+}
+
+}  // namespace
+}  // namespace isostar

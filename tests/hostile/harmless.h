@@ -1,0 +1,34 @@
+// What a decoder may do with any bytes: show sound surfaces within its limits, and say what is wrong.
+#pragma once
+
+#include "property/round_trip.h"
+#include "property/surface_checks.h"
+
+namespace isostar {
+
+/// Small, so that a test sees at once where they are passed.
+inline constexpr Limits kTight{1u << 22, 1u << 18, 64u << 20};
+
+/// Decodes all and makes a mesh after each layer; returns the decoder.
+inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits& limits = kTight) {
+  const Bytes copy(bytes.begin(), bytes.end());
+  Decoder decoder(limits);
+  decoder.feed(copy);
+  decoder.finish();
+  while (decoder.advance()) {
+    for (const Polygonizer polygonizer : kPolygonizers) {
+      Mesh mesh;
+      const Error error = decoder.mesh({polygonizer, Frame::World, true}, mesh);
+      EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+      if (error == Error::None) expectSound(mesh);
+      EXPECT_LE(verticesOf(mesh), limits.vertices);
+    }
+  }
+  EXPECT_TRUE(decoder.complete() || decoder.error() != Error::None);
+  EXPECT_LE(decoder.bytes(), bytes.size());
+  Mesh mesh;
+  EXPECT_EQ(decoder.mesh({}, mesh) == Error::Truncated, !decoder.ready());
+  return decoder;
+}
+
+}  // namespace isostar

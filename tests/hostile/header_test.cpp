@@ -1,0 +1,157 @@
+// Headers and layer heads that say what cannot be, or too much.
+#include <limits>
+
+#include "anatomy.h"
+#include "harmless.h"
+
+namespace isostar {
+namespace {
+
+Header plausible() {
+  Header header;
+  header.size = {9, 9, 9};
+  return header;
+}
+
+Error errorOf(const Bytes& bytes, const Limits& limits = kTight) { return harmlesslyDecoded(bytes, limits).error(); }
+Error errorOf(const Header& header, const Limits& limits = kTight) { return errorOf(assembled(header, {}), limits); }
+
+Bytes bytesOf(const std::string& text) {
+  Bytes bytes;
+  for (char c : text) bytes.push_back(static_cast<std::byte>(c));
+  return bytes;
+}
+
+TEST(HostileHeader, aPlausibleOneIsTaken) {
+  EXPECT_EQ(errorOf(plausible()), Error::None);
+}
+
+TEST(HostileHeader, foreignFiles) {
+  for (const char* text : {"DRACO", "\x89PNG\r\n", "ply\n", "isn't ours", "<!DOCTYPE html>"}) EXPECT_EQ(errorOf(bytesOf(text)), Error::NotIsostar) << text;
+  EXPECT_EQ(errorOf(bytesOf("is")), Error::Truncated);
+  EXPECT_EQ(errorOf(Bytes{}), Error::Truncated);
+  EXPECT_EQ(errorOf(bytesOf("iso\xB5")), Error::Truncated);
+}
+
+TEST(HostileHeader, otherVersions) {
+  Bytes bytes = encoded(sampled("sphere", {9, 9, 9}, sphere({9, 9, 9})));
+  const Anatomy anatomy(bytes);
+  for (int version = 0; version < 256; ++version) {
+    if (version == kFormatVersion) continue;
+    bytes[4] = static_cast<std::byte>(version);
+    const Error expected = version == 0 ? Error::Corrupt : Error::UnsupportedVersion;
+    EXPECT_EQ(errorOf(bytes), expected);
+    EXPECT_EQ(errorOf(repaired(bytes, anatomy)), expected);
+    StreamInfo info;
+    EXPECT_EQ(inspect(bytes, info), expected);
+  }
+}
+
+TEST(HostileHeader, sizesBeyondTheLimits) {
+  for (const Size& size : {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27}, Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
+                           Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
+    Header header = plausible();
+    header.size = size;
+    header.octaves = 28;
+    EXPECT_EQ(errorOf(header), Error::OverLimit) << testing::PrintToString(size);
+  }
+}
+
+TEST(HostileHeader, moreVerticesThanTheLimits) {
+  Header header = plausible();
+  header.vertices = kTight.vertices + 1;
+  EXPECT_EQ(errorOf(header), Error::OverLimit);
+  header.vertices = uint64_t{1} << 62;
+  EXPECT_EQ(errorOf(header), Error::OverLimit);
+}
+
+TEST(HostileHeader, aBaseThatIsTooFine) {
+  Header header = plausible();
+  header.size = {100, 100, 100};
+  header.octaves = 3;
+  EXPECT_EQ(errorOf(header), Error::Corrupt);
+  header.octaves = 29;
+  EXPECT_EQ(errorOf(header), Error::Corrupt);
+  header.octaves = 255;
+  EXPECT_EQ(errorOf(header), Error::Corrupt);
+}
+
+TEST(HostileHeader, moreOctavesThanAreNeeded) {
+  Header header = plausible();
+  header.octaves = 28;
+  EXPECT_EQ(errorOf(header), Error::None);
+}
+
+TEST(HostileHeader, numbersThatAreNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (double bad : {nan, infinity, -infinity}) {
+    std::vector<Header> headers(6, plausible());
+    headers[0].isovalue = bad;
+    headers[1].quantum = bad;
+    headers[2].maxError = static_cast<float>(-std::abs(bad));
+    headers[3].placement.spacing[0] = bad;
+    headers[4].placement.origin[1] = bad;
+    headers[5].placement.direction[5] = bad;
+    for (std::size_t i = 0; i < headers.size(); ++i) EXPECT_EQ(errorOf(headers[i]), Error::Corrupt) << i << ": " << bad;
+  }
+  for (double bad : {0.0, -1.0}) {
+    std::vector<Header> headers(2, plausible());
+    headers[0].quantum = bad;
+    headers[1].placement.spacing[2] = bad;
+    for (const Header& header : headers) EXPECT_EQ(errorOf(header), Error::Corrupt);
+  }
+  Header flat = plausible();
+  flat.placement.direction = {1, 0, 0, 1, 0, 0, 0, 0, 1};
+  EXPECT_EQ(errorOf(flat), Error::Corrupt);
+}
+
+TEST(HostileHeader, layersInADisorder) {
+  const auto field = sampled("sphere", {20, 20, 20}, sphere({20, 20, 20}));
+  const Bytes good = encoded(field);
+  const Anatomy anatomy(good);
+  std::vector<std::pair<LayerHead, Bytes>> layers;
+  for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
+    const auto& at = anatomy.layers[i];
+    layers.emplace_back(anatomy.heads[i], Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload), good.begin() + static_cast<std::ptrdiff_t>(at.end)));
+  }
+  ASSERT_EQ(assembled(anatomy.header, layers), good);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    auto missing = layers, twice = layers, swapped = layers;
+    missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
+    (void)errorOf(assembled(anatomy.header, missing));
+    twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(i), layers[i]);
+    (void)errorOf(assembled(anatomy.header, twice));
+    std::swap(swapped[i], swapped[(i + 1) % layers.size()]);
+    (void)errorOf(assembled(anatomy.header, swapped));
+    if (anatomy.heads[i].level == anatomy.header.octaves && i > 0 && anatomy.heads[i - 1].level == anatomy.header.octaves) continue;
+    EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt) << "layer " << i << " twice";
+  }
+  for (int kind = 0; kind < 4; ++kind) {
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      auto other = layers;
+      other[i].first.kind = static_cast<LayerKind>(kind);
+      (void)errorOf(assembled(anatomy.header, other));
+    }
+  }
+}
+
+TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
+  Header header = plausible();
+  header.layers = 1;
+  Bytes bytes;
+  ByteWriter out(bytes);
+  write(out, header);
+  LayerHead head;
+  for (uint64_t length : {uint64_t{1} << 20, uint64_t{1} << 40, (uint64_t{1} << 63) - 1}) {
+    Bytes endless = bytes;
+    ByteWriter writer(endless);
+    head.bytes = length;
+    write(writer, head);
+    EXPECT_EQ(errorOf(endless), Error::Truncated);
+    StreamInfo info;
+    EXPECT_EQ(inspect(endless, info), Error::None);
+  }
+}
+
+}  // namespace
+}  // namespace isostar

@@ -1,0 +1,133 @@
+// Streams whose layers are noise, or answers thrown by dice, behind right checksums: they end, and within the limits.
+#include <chrono>
+
+#include "allocation.h"
+#include "anatomy.h"
+#include "harmless.h"
+#include "layers.h"
+#include "unit/traversal.h"
+
+namespace isostar {
+namespace {
+
+Header headerOf(const Size& size) {
+  Header header;
+  header.size = size;
+  while (std::ranges::any_of(header.base().last, [](int32_t last) { return last > Header::kMostBaseCells; })) ++header.octaves;
+  return header;
+}
+
+Bytes noiseOf(std::size_t length, uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Bytes bytes(length);
+  for (auto& b : bytes) b = static_cast<std::byte>(random());
+  return bytes;
+}
+
+Bytes fieldsOf(const GeometryPass& pass) {
+  Bytes bytes;
+  ByteWriter out(bytes);
+  pass.write(out);
+  return bytes;
+}
+
+/// A base, all octaves, some geometry. `payload(bits)` is what stands behind a geometry layer's fields.
+template <class Payload>
+Bytes streamOf(const Header& header, Payload payload) {
+  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Knowledge known(header);
+  for (int level = 0; level <= header.octaves; ++level) {
+    const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
+    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? known.base(ask) : known.refine(ask); })});
+  }
+  for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
+      const GeometryPass pass{kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
+      Bytes bytes = fieldsOf(pass);
+      const Bytes told = payload([&](auto& ask) { known.geometry(ask, pass); });
+      bytes.insert(bytes.end(), told.begin(), told.end());
+      layers.push_back({{kind, header.octaves, 0.1, 0, 0}, bytes});
+    }
+  }
+  return assembled(header, layers);
+}
+
+Bytes noiseStream(const Header& header, std::size_t length, uint64_t seed) {
+  return streamOf(header, [&](auto) { return noiseOf(length, ++seed); });
+}
+Bytes diceStream(const Header& header, uint64_t seed, double rate) {
+  return streamOf(header, [&](auto tell) { return thrown<3>(++seed, rate, tell); });
+}
+
+const std::vector<Size> kHostileSizes{{9, 9, 9}, {100, 100, 100}, {1, 1 << 11, 1 << 11}, {1 << 22, 1, 1}, {2, 2, 1 << 20}, {160, 160, 160}};
+
+TEST(HostileNoise, endsSoon) {
+  for (const Size& size : kHostileSizes) {
+    for (std::size_t length : {0u, 1u, 3u, 20u, 1000u}) {
+      SCOPED_TRACE(testing::PrintToString(size) + ", layers of " + std::to_string(length) + " bytes");
+      const auto start = std::chrono::steady_clock::now();
+      (void)harmlesslyDecoded(noiseStream(headerOf(size), length, length));
+      EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    }
+  }
+}
+
+TEST(HostileNoise, diceStreamsAreClosedSurfaces) {
+  for (const Size& size : {Size{9, 9, 9}, Size{17, 12, 30}}) {
+    for (uint64_t seed = 0; seed < 12; ++seed) {
+      const double rate = std::array{0.5, 0.03, 0.97, 1.0}[seed % 4];
+      SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
+      const Bytes bytes = diceStream(headerOf(size), seed, rate);
+      const Decoder decoder = harmlesslyDecoded(bytes);
+      EXPECT_EQ(decoder.error(), Error::None);
+      for (const Polygonizer polygonizer : kPolygonizers) expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
+    }
+  }
+}
+
+/// What a decoder holds beside its state: its models, and the bytes that it was fed.
+constexpr std::size_t kModels = 8u << 20;
+/// A vector that grows holds its old self and its new one, and a refined octave stands beside the coarser one.
+constexpr std::size_t kGrowth = 2;
+
+std::size_t peakOf(const Bytes& bytes, const Limits& limits, Error& error) {
+  const Allocation allocation;
+  Decoder decoder(limits);
+  decoder.feed(bytes);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  error = decoder.error();
+  return allocation.peak();
+}
+
+TEST(HostileNoise, staysWithinTheMemoryAllowed) {
+  for (const Size& size : {Size{100, 100, 100}, Size{1 << 19, 1, 1}, Size{2, 2, 1 << 17}}) {
+    for (const double rate : {0.5, 1.0}) {
+      const Bytes bytes = diceStream(headerOf(size), 5, rate);
+      for (const std::size_t megabytes : {1u, 4u}) {
+        Error error;
+        const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
+        EXPECT_LE(peak, kGrowth * (megabytes << 20) + kModels + 2 * bytes.size()) << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate;
+        EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+      }
+    }
+  }
+}
+
+TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
+  // All decisions are false: no surface, but a table of bricks for each octave of a huge box.
+  for (const Size& size : {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
+    const Header header = headerOf(size);
+    std::vector<std::pair<LayerHead, Bytes>> layers;
+    for (int level = 0; level <= header.octaves; ++level) {
+      layers.push_back({{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
+    }
+    Error error;
+    EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error), (kGrowth << 20) + kModels) << testing::PrintToString(size);
+    EXPECT_EQ(error, Error::OverLimit) << testing::PrintToString(size);
+  }
+}
+
+}  // namespace
+}  // namespace isostar
