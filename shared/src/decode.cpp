@@ -207,9 +207,12 @@ Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   if (!state_->tornShown && known.told[0] && (known.told[1] || !diagonals)) return polygonize(surface, options, state_->limits.vertices, out);
   const auto active = known.active.empty() ? activeBricks(known.signs) : known.active;
   Scalars<3> scalars = known.active.empty() ? Scalars<3>(active.size()) : known.scalars;
-  estimateMissing(known.signs, active, Members::AxisEnds, scalars);
-  if (diagonals) estimateMissing(known.signs, active, Members::DiagonalEnds, scalars);
-  return polygonize({known.signs, scalars, surface.positiveOffset, surface.negativeOffset, header.placement}, options, state_->limits.vertices, out);
+  const int finer = scalars.magnify();
+  const double scale = 1 << finer;
+  estimateMissing(known.signs, active, Members::AxisEnds, finer, scalars);
+  if (diagonals) estimateMissing(known.signs, active, Members::DiagonalEnds, finer, scalars);
+  return polygonize({known.signs, scalars, surface.positiveOffset * scale, surface.negativeOffset * scale, header.placement}, options,
+                    state_->limits.vertices, out);
 }
 
 }  // namespace isostar

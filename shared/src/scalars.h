@@ -1,8 +1,11 @@
 // What is known of the scalars at the vertices of the finest tube (§5.3): intervals of |scalar - isovalue|.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "bricks.h"
@@ -52,6 +55,22 @@ class Scalars {
   /// The typical difference of scalars along a crossing edge of the brick, as 4 log2 of quanta.
   [[nodiscard]] int gradient(std::size_t place) const { return gradient_[place]; }
   void setGradient(std::size_t place, int quarterOctaves) { gradient_[place] = static_cast<uint8_t>(quarterOctaves); }
+  /// Multiplies all values by the power of two that leaves room, 2^12 at the most, and tells which.
+  int magnify() {
+    int32_t largest = 1;
+    for (const Brick& brick : bricks_) {
+      for (const int32_t value : brick.value) {
+        if (value != kUnknown) largest = std::max(largest, std::abs(value));
+      }
+    }
+    const int finer = std::clamp(std::countl_zero(static_cast<uint32_t>(largest)) - 3, 0, 12);
+    for (Brick& brick : bricks_) {
+      for (int32_t& value : brick.value) {
+        if (value != kUnknown) value *= 1 << finer;
+      }
+    }
+    return finer;
+  }
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] std::size_t memory() const { return at_.size() * 5 + memoryToGrow(bricks_); }
 
