@@ -27,9 +27,10 @@ class LayerWriter {
   LayerWriter(const VolumeField& field, const Header& header, const EncodeOptions& options)
       : field_(field), header_(header), options_(options), quantized_(field, header), distance_(field, header), known_(header) {}
 
-  void signs() {
+  void signs(const Signs<3>& finest) {
     for (int level = 0; level <= header_.octaves; ++level) {
-      const auto truth = field_.signs(int32_t{1} << (header_.octaves - level));
+      const Signs<3> coarse = level < header_.octaves ? field_.signs(int32_t{1} << (header_.octaves - level)) : Signs<3>();
+      const Signs<3>& truth = level < header_.octaves ? coarse : finest;
       tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
         if (level == 0) known_.base(ask);
         else known_.refine(ask);
@@ -141,7 +142,7 @@ Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std
   field.quantize(header, finest);
   header.vertices = countCrossings(finest, activeBricks(finest));
   LayerWriter layers(field, header, options);
-  layers.signs();
+  layers.signs(finest);
   if (header.vertices != 0) tellGeometry(layers, header);
   header.layers = layers.layers();
   ByteWriter writer(out);

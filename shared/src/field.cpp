@@ -53,6 +53,7 @@ void VolumeField::quantize(Header& header, const Signs<3>& signs) const {
   for (std::size_t place = 0; place < active.size(); ++place) {
     if (active[place] == 0) continue;
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
+      if (members == Members::DiagonalEnds && header.polygonizer == Polygonizer::Cubes) break;
       tube.enter(signs, place, members);
       const auto& brick = tube.at();
       tube.forEach([&](int, std::size_t r, int x) {
@@ -84,29 +85,31 @@ uint32_t VolumeField::magnitude(const Header& header, std::size_t place, std::si
 
 int VolumeField::gradient(const Header& header, std::size_t place) const {
   const auto brick = table_.brick(place);
-  std::array<double, 3 * 512> differences;
+  std::array<float, 3 * 729> differences;
   std::size_t count = 0;
   Coordinates<3> from, to;
   for (int a = 0; a < 3; ++a) {
     from[a] = std::max(brick[a] * 8 - 1, 0);
-    to[a] = std::min(brick[a] * 8 + 8, last_[a]);
+    to[a] = std::min(brick[a] * 8 + 7, last_[a]);
   }
+  const auto isovalue = static_cast<float>(isovalue_);
   for (int32_t z = from[2]; z <= to[2]; ++z) {
     for (int32_t y = from[1]; y <= to[1]; ++y) {
+      const float* row = &samples_[at({0, y, z})];
+      const std::array<std::ptrdiff_t, 3> next{1, y < last_[1] ? static_cast<std::ptrdiff_t>(stride_[1]) : 0,
+                                               z < last_[2] ? static_cast<std::ptrdiff_t>(stride_[2]) : 0};
       for (int32_t x = from[0]; x <= to[0]; ++x) {
-        const double here = scalar({x, y, z});
-        for (int a = 0; a < 3 && count < differences.size(); ++a) {
-          Coordinates<3> next{x, y, z};
-          if (++next[a] > to[a]) continue;
-          const double there = scalar(next);
-          if ((here > 0) != (there > 0)) differences[count++] = std::abs(here - there);
+        const float here = row[x];
+        for (std::size_t a = 0; a < 3; ++a) {
+          const float there = row[x + (a == 0 && x == last_[0] ? 0 : next[a])];
+          if ((here > isovalue) != (there > isovalue)) differences[count++] = std::abs(here - there);
         }
       }
     }
   }
   if (count == 0) return 0;
   std::nth_element(differences.begin(), differences.begin() + count / 2, differences.begin() + count);
-  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, differences[count / 2] / header.quantum))), 0L, 120L));
+  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantum))), 0L, 120L));
 }
 
 }  // namespace isostar

@@ -130,7 +130,7 @@ double SourceDistance::decoded(const ScalarWindow<3>& scalars, const EdgeEnds& e
 }
 
 double SourceDistance::rms(const Signs<3>& signs, const Scalars<3>& scalars, const std::vector<uint8_t>& active) const {
-  constexpr uint64_t kFewSamples = 600, kManySamples = 20000;
+  constexpr uint64_t kFewSamples = 400, kManySamples = 5000;
   const int32_t step = signs.lattice().step;
   const bool told = !active.empty();
   const auto bricks = told ? active : activeBricks(signs);
