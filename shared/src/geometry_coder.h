@@ -32,6 +32,7 @@ class GeometryCoder {
       const Tube<D>& tube = tubes_[static_cast<std::size_t>(members)].at(signs, place, members);
       if (tube.empty()) continue;
       if (!scalars.has(place)) tellGradient(ask, scalars, place);
+      if (ask.spent()) return;  // what was read of the gradient may be noise
       enter(tube, scalars, place);
       auto& brick = scalars.writable(place);
       const int floor = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);

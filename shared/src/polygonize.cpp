@@ -13,6 +13,7 @@ Error polygonize(const Volume& volume, double isovalue, const MeshOptions& optio
   Header header;
   header.isovalue = isovalue;
   header.lossless = true;
+  header.polygonizer = options.polygonizer;
   field.quantize(header, signs);
   const auto active = activeBricks(signs);
   Scalars<3> scalars(active.size());

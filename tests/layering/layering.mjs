@@ -10,7 +10,7 @@ const PARTS = {
   bytes: ['bytes.h'],
   coder: ['range_coder.h', 'models.h'],
   hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'neighbourhood.h', 'shape_estimate.h', 'tube.h'],
-  scalars: ['scalars.h', 'scalar_window.h', 'interpolation.h', 'prediction.h', 'completion.h'],
+  scalars: ['reciprocal.h', 'scalars.h', 'scalar_window.h', 'interpolation.h', 'prediction.h', 'completion.h'],
   exchange: ['exchange.h'],
   traversal: ['base_coder.h', 'refinement_coder.h', 'geometry_coder.h'],
   container: ['stream.h', 'stream.cpp'],
