@@ -23,12 +23,12 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     if (known.has(place)) gradient = known.gradient(place);
     window.load(known, tube.table(), tube.at());
     auto& brick = scalars.writable(place);
-    const int64_t steps = halfQuanta(gradient) << finer;
+    const Steps steps(gradient + 4 * finer);
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
       const auto guess = Prediction<D>::of(tube.window(), window, row, r, x, steps);
-      const auto value = static_cast<int32_t>(std::clamp<int64_t>(guess.magnitude, std::max<int64_t>(1, steps / 8), INT32_MAX / 2));
+      const auto value = static_cast<int32_t>(std::clamp<int64_t>(guess.magnitude, steps.eighth(), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });
   }

@@ -68,7 +68,7 @@ class GeometryCoder {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         if (!brick.knows(v) || ask.spent()) return;
         const bool positive = tube.positive(row, x);
-        const auto guess = Interpolation<D>::of(window_, r, x, positive);
+        const auto guess = Interpolation<D>::of(window_, r, x, positive, steps_.shift());
         findCrossed(row, x, r, allowed);
         for (int told = 0; told < most && brick.width[v] > 0 && moves(brick.middle(v), brick.width[v]); ++told) {
           halve(ask, brick, v, guess, positive, ask.magnitude(place, r, x));
@@ -107,7 +107,7 @@ class GeometryCoder {
   void enter(const Tube<D>& tube, const Scalars<D>& scalars, std::size_t place) {
     tube_ = &tube;
     gradient_ = scalars.gradient(place);
-    steps_ = halfQuanta(gradient_);
+    steps_ = Steps(gradient_);
     window_.load(scalars, tube.table(), tube.at());
   }
 
@@ -258,7 +258,7 @@ class GeometryCoder {
   std::size_t crossedCount_ = 0;
   ScalarWindow<D> window_;
   int gradient_ = 0;
-  int64_t steps_ = 1;
+  Steps steps_;
   int lastGradient_ = 0;
   std::array<Chance, 16> gradientModel_;
   Chance selectModel_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "lanes.h"
 #include "range_coder.h"
 
 namespace isostar {
@@ -50,19 +51,11 @@ class Logistic {
   }
 };
 
-/// One adaptive probability: moves by 1/(n + 1.5) at its n-th decision, never by less than 1/limit.
+/// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first decisions, never by less than
+/// 1/limit. No tables, so that several of them learn side by side.
 class Chance {
  public:
   [[nodiscard]] uint32_t value() const { return std::clamp(state_ >> 16, kLeastChance, kChanceOne - kLeastChance); }
-
-  template <int Limit>
-  void learn(bool truth) {
-    const uint32_t n = state_ & 1023;
-    const uint32_t p = state_ >> 10;  // 22 bits
-    const int32_t gap = static_cast<int32_t>(truth ? (1u << 22) - 1 : 0) - static_cast<int32_t>(p);
-    const auto moved = static_cast<uint32_t>(static_cast<int32_t>(p) + ((gap >> 7) * reciprocalOf(n) >> 9));
-    state_ = moved << 10 | (n < Limit ? n + 1 : n);
-  }
 
   template <class Coder>
   bool bit(Coder& coder, bool truth) {
@@ -71,48 +64,62 @@ class Chance {
     return value;
   }
 
- private:
-  static int32_t reciprocalOf(uint32_t n) {
-    struct Table {
-      std::array<int32_t, 1024> value{};
-      constexpr Table() {
-        for (int i = 0; i < 1024; ++i) value[static_cast<std::size_t>(i)] = 65535 * 2 / (2 * i + 3);
-      }
-    };
-    static constexpr Table kTable{};
-    return kTable.value[n];
+  template <int Limit>
+  void learn(bool truth) {
+    state_ = static_cast<uint32_t>(learned<Limit>(static_cast<int32_t>(state_), truth));
   }
 
-  uint32_t state_ = 1u << 31;
+ private:
+  template <int N>
+  friend class Mixer;
+
+  static constexpr int kRateBits = 14;  // of the state, below 18 of probability
+  static constexpr int32_t kFirstRate = (1 << kRateBits) * 2 / 3;
+
+  /// The state, or a vector of states, after a decision.
+  template <int Limit, class State>
+  static State learned(State state, bool truth) {
+    constexpr int32_t kLeastRate = (1 << (kRateBits + 1)) / (2 * Limit + 3);
+    const State rate = state & ((1 << kRateBits) - 1);
+    const State p = (state >> kRateBits) & ((1 << 18) - 1);
+    const State gap = (truth ? (1 << 18) - 1 : 0) - p;
+    const State moved = p + (((gap >> 1) * rate + (1 << (kRateBits - 2))) >> (kRateBits - 1));
+    // 1/(n + 1) is nearly 1/n - 3/4 of its square.
+    const State slower = rate - ((rate * rate * 3 + (1 << (kRateBits + 1))) >> (kRateBits + 2));
+    return moved << kRateBits | (slower < kLeastRate ? State{} + kLeastRate : slower);
+  }
+
+  uint32_t state_ = 1u << 31 | kFirstRate;
 };
 
-/// A decision seen in N contexts at once: their log-odds, weighed by weights that learn which context to trust.
+/// A decision seen in up to four contexts at once: their log-odds, weighed by weights that learn which context to trust.
 template <int N>
 class Mixer {
  public:
-  using Weights = std::array<int32_t, N>;  // 1/16384, within [-8, 8]
+  static_assert(N <= 4);
+
+  using Weights = std::array<int32_t, 4>;  // 1/16384, within [-8, 8]
   [[nodiscard]] static Weights fresh() {
-    Weights w;
-    w.fill(kOne * 10 / (N * 8));
+    Weights w{};
+    std::fill_n(w.begin(), N, kOne * 10 / (N * 8));
     return w;
   }
 
-  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits, so that
-  /// the inputs are worked on side by side.
+  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits.
   template <int Limit, int Rate, class Coder>
   static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights) {
-    std::array<int32_t, N> logOdds;
-    for (int i = 0; i < N; ++i) logOdds[i] = Logistic::stretch(contexts[i]->value());
-    int32_t sum = 0;
-    for (int i = 0; i < N; ++i) sum += weights[i] * logOdds[i];
-    const uint32_t chance = Logistic::squash(sum >> 14);
+    Lanes states{}, logOdds{}, trust = lanesAt(weights.data());
+    for (int i = 0; i < N; ++i) states[i] = static_cast<int32_t>(contexts[i]->state_);
+    for (int i = 0; i < N; ++i) logOdds[i] = Logistic::stretch(contexts[i]->state_ >> 16);
+    const Lanes product = trust * logOdds;
+    const uint32_t chance = Logistic::squash((product[0] + product[1] + product[2] + product[3]) >> 14);
     const bool value = coder.bit(truth, chance);
     const int32_t error = (static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance)) >> 2;
-    for (int i = 0; i < N; ++i) {
-      const int32_t moved = weights[i] + ((logOdds[i] * error + (1 << (Rate + 1))) >> (Rate + 2));
-      weights[i] = std::clamp(moved, -8 * kOne, 8 * kOne);
-    }
-    for (int i = 0; i < N; ++i) contexts[i]->template learn<Limit>(value);
+    trust += (logOdds * error + (1 << (Rate + 1))) >> (Rate + 2);
+    trust = clamped(trust, 8 * kOne);
+    std::memcpy(weights.data(), &trust, sizeof trust);
+    states = Chance::learned<Limit>(states, value);
+    for (int i = 0; i < N; ++i) contexts[i]->state_ = static_cast<uint32_t>(states[i]);
     return value;
   }
 

@@ -9,6 +9,26 @@
 
 namespace isostar {
 
+/// Half quanta by which the field changes in a grid step, and how far scalars are scaled down to be summed up.
+class Steps {
+ public:
+  /// From a gradient as Scalars keep it.
+  explicit Steps(int quarterOctaves = 0) : shift_(std::max(0, (quarterOctaves >> 2) - 13)) {
+    constexpr std::array<uint32_t, 4> kRoots{256, 304, 362, 431};  // 256 · 2^(i/4)
+    const uint64_t steps = (uint64_t{kRoots[static_cast<std::size_t>(quarterOctaves & 3)]} << (quarterOctaves >> 2)) >> 7;
+    steps_ = static_cast<int64_t>(steps >> shift_);
+  }
+  [[nodiscard]] int shift() const { return shift_; }
+  /// An eighth of a step, but not nothing.
+  [[nodiscard]] int64_t eighth() const { return std::max<int64_t>(1, (steps_ << shift_) / 8); }
+  /// As many steps as a ShapeEstimate says, scaled down. A plane's slope is 2^20 / 362.
+  [[nodiscard]] int64_t times(int32_t estimate) const { return (estimate * steps_ * 362) >> 20; }
+
+ private:
+  int shift_;
+  int64_t steps_;
+};
+
 template <int D>
 struct Prediction {
   int64_t magnitude = 0;  // half quanta
@@ -17,73 +37,77 @@ struct Prediction {
 
   /// Known neighbours are extrapolated along the slope that the signs show. `steps`: half quanta by which the field
   /// changes in a grid step.
-  static Prediction of(const Window<D>& signs, const ScalarWindow<D>& scalars, int row, std::size_t r, int x, int64_t steps) {
+  static Prediction of(const Window<D>& signs, const ScalarWindow<D>& scalars, int row, std::size_t r, int x, Steps steps) {
     const bool positive = (signs.rows[row] >> (x + Window<D>::kHalo) & 1) != 0;
     const auto estimate = ShapeEstimate<D>::of(signs, row, x + Window<D>::kHalo);
     const int32_t own = positive ? estimate.sum : -estimate.sum;
     Prediction result;
     result.shape = own < -512 ? 0 : own >= 3584 ? 63 : (own + 512) >> 6;
-    int64_t sum = 0;
-    uint64_t packed = 0;
-    const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
-    auto add = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {
-      constexpr Neighbour n = kAround[I];
-      const int32_t value = here[n.offset];
-      const int64_t known = value == Scalars<D>::kUnknown ? 0 : -1;
-      sum += (value & known) * n.weight;
-      packed += n.packed & static_cast<uint64_t>(known);
-    };
-    // Unrolled, so that offsets and weights are constants, and without branches, which nobody could predict.
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (add(std::integral_constant<std::size_t, I>{}), ...); }
-    (std::make_index_sequence<kAround.size()>{});
-    const auto weight = static_cast<int32_t>(packed & 0xFF);
-    if (weight == 0) {
-      result.magnitude = own <= 0 ? 0 : own * steps / ShapeEstimate<D>::kPlaneSum;
+    const Around around(&scalars.value[ScalarWindow<D>::index(r, x)], steps.shift());
+    if (around.weight == 0) {
+      result.magnitude = own <= 0 ? 0 : steps.times(own) << steps.shift();
       return result;
     }
-    int64_t tilt = 0;
-    for (int a = 0; a < D; ++a) tilt += int64_t{estimate.slope[a]} * (static_cast<int32_t>(packed >> (8 + 8 * a) & 0xFF) - weight);
-    sum -= tilt * steps / ShapeEstimate<D>::kPlaneSlope;
-    const int64_t mean = (positive ? sum : -sum) * reciprocal(weight) >> 16;
-    result.magnitude = mean < 0 ? 0 : mean;
-    result.confidence = weight < 5 ? 1 : weight < 12 ? 2 : 3;
+    int32_t tilt = 0;
+    for (int a = 0; a < D; ++a) tilt += estimate.slope[a] * around.moment[a];
+    const int64_t sum = around.sum - steps.times(tilt);
+    const int64_t mean = (positive ? sum : -sum) * reciprocal(around.weight) >> 16;
+    result.magnitude = mean < 0 ? 0 : mean << steps.shift();
+    result.confidence = around.weight < 5 ? 1 : around.weight < 12 ? 2 : 3;
     return result;
   }
 
  private:
-  struct Neighbour {
-    int offset = 0;
-    int64_t weight = 0;
-    uint64_t packed = 0;  // a byte for the weight, then for each axis one for weight · (1 + offset): never negative
-  };
-  /// The 3^D - 1 vertices around.
-  static constexpr std::array<Neighbour, power(3, D) - 1> kAround = [] {
-    std::array<Neighbour, power(3, D) - 1> all{};
-    std::array<int, D> d{};
-    d.fill(-1);
-    for (std::size_t i = 0; i < all.size();) {
-      int squares = 0;
-      for (int a = 0; a < D; ++a) squares += d[a] * d[a];
-      if (squares != 0) {
-        all[i].weight = squares == 1 ? 4 : squares == 2 ? 2 : 1;
-        all[i].packed = static_cast<uint64_t>(all[i].weight);
-        for (int a = 0; a < D; ++a) {
-          all[i].offset += d[a] * ScalarWindow<D>::stride(a);
-          all[i].packed |= static_cast<uint64_t>(all[i].weight * (1 + d[a])) << (8 + 8 * a);
+  /// The 3^D - 1 vertices around one that is unknown: weights are 4, 2, 1 by distance.
+  struct Around {
+    int32_t sum = 0;                   // weight · value of the known ones
+    int32_t weight = 0;                // of the known ones
+    std::array<int32_t, D> moment{};   // weight · offset
+
+    Around(const int32_t* here, int shift) {
+      std::array<Lanes, D> values{}, knowns{};  // of rows by distance, so that weights are shifts
+      std::array<Lanes, D> tilted{};            // by axis, weighed
+      auto add = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {
+        constexpr Row n = kRows[I];
+        const typename ScalarWindow<D>::Three three(here + n.offset - 1, shift);
+        values[n.distance] += three.value;
+        knowns[n.distance] += three.known;
+        for (int a = 1; a < D; ++a) {
+          if (n.d[a] != 0) tilted[a] += n.d[a] * (three.known << (D - 1 - n.distance));
         }
-        ++i;
+      };
+      // Unrolled, so that offsets and weights are constants.
+      [&]<std::size_t... I>(std::index_sequence<I...>) { (add(std::integral_constant<std::size_t, I>{}), ...); }
+      (std::make_index_sequence<kRows.size()>{});
+      Lanes value{}, known{};
+      for (int n = 0; n < D; ++n) {
+        value = value * 2 + values[n];
+        known = known * 2 + knowns[n];
       }
-      for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+      sum = weighed(value);
+      weight = -weighed(known);
+      moment[0] = known[0] - known[2];
+      for (int a = 1; a < D; ++a) moment[a] = -weighed(tilted[a]);
+    }
+  };
+  struct Row {
+    int offset = 0, distance = 0;
+    std::array<int, D> d{};
+  };
+  static constexpr std::array<Row, power(3, D - 1)> kRows = [] {
+    std::array<Row, power(3, D - 1)> all{};
+    std::array<int, D> d{};
+    for (int a = 1; a < D; ++a) d[a] = -1;
+    for (Row& row : all) {
+      row.d = d;
+      for (int a = 1; a < D; ++a) {
+        row.distance += d[a] * d[a];
+        row.offset += d[a] * ScalarWindow<D>::stride(a);
+      }
+      for (int a = 1; a < D && ++d[a] == 2; ++a) d[a] = -1;
     }
     return all;
   }();
 };
-
-/// Half quanta a grid step, of a gradient as Scalars keep it.
-inline int64_t halfQuanta(int quarterOctaves) {
-  constexpr std::array<uint32_t, 4> kRoots{256, 304, 362, 431};  // 256 · 2^(i/4)
-  const uint64_t steps = (uint64_t{kRoots[static_cast<std::size_t>(quarterOctaves & 3)]} << (quarterOctaves >> 2)) >> 7;
-  return static_cast<int64_t>(steps == 0 ? 1 : steps);
-}
 
 }  // namespace isostar

@@ -41,11 +41,6 @@ class ShapeEstimate {
     return value;
   }
 
-  /// The slope's length where the surface is plane.
-  static constexpr int32_t kPlaneSlope = 2900;
-  /// The sum a step away from a plane surface.
-  static constexpr int32_t kPlaneSum = 2900;
-
  private:
   static constexpr std::size_t kFives = power(5, D - 1);
 
