@@ -28,7 +28,7 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
       const auto guess = Prediction<D>::of(tube.window(), window, row, r, x, steps);
-      const auto value = static_cast<int32_t>(std::clamp<int64_t>(guess.magnitude, steps.eighth(), INT32_MAX / 2));
+      const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(guess.magnitude, steps.eighth()), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });
   }
