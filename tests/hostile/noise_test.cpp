@@ -85,6 +85,31 @@ TEST(HostileNoise, diceStreamsAreClosedSurfaces) {
   }
 }
 
+/// Answers as large as they can be.
+struct SteepField {
+  [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return (1u << 29) - 1; }
+  [[nodiscard]] int gradient(std::size_t) const { return 4 * 31 + 3; }
+  [[nodiscard]] bool selected(std::size_t) const { return true; }
+};
+
+TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
+  const Header header = headerOf({9, 9, 9});
+  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Knowledge known(header);
+  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<3>(1, 0.5, [&](auto& ask) { known.base(ask); })});
+  for (int level = 1; level <= header.octaves; ++level) {
+    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
+  }
+  const GeometryPass pass{LayerKind::Octaves, Members::AxisEnds, 0, {}, 0, false};
+  Bytes geometry = fieldsOf(pass);
+  const Bytes steep = told(known.signs, SteepField(), [&](auto& ask) { known.geometry(ask, pass); });
+  geometry.insert(geometry.end(), steep.begin(), steep.end());
+  layers.push_back({{LayerKind::Octaves, header.octaves, 0, 0, 0}, geometry});
+  const Bytes bytes = assembled(header, layers);
+  EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::None);
+  for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length) (void)harmlesslyDecoded(std::span(bytes).first(length));
+}
+
 /// What a decoder holds beside its state: its models, and the bytes that it was fed.
 constexpr std::size_t kModels = 8u << 20;
 /// A vector that grows holds its old self and its new one, and a refined octave stands beside the coarser one.
