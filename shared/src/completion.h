@@ -15,6 +15,7 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
   const Scalars<D> known = scalars;
   Tube<D> tube;
   ScalarWindow<D> window;
+  ShapeEstimate<D> shapes;
   int gradient = kPlainGradient;
   for (std::size_t place = 0; place < active.size(); ++place) {
     if (active[place] == 0) continue;
@@ -22,12 +23,13 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     if (tube.empty()) continue;
     if (known.has(place)) gradient = known.gradient(place);
     window.load(known, tube.table(), tube.at());
+    shapes.load(tube.window());
     auto& brick = scalars.writable(place);
     const Steps steps(gradient + 4 * finer);
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
-      const auto guess = Prediction<D>::of(tube.window(), window, row, r, x, steps);
+      const auto guess = Prediction<D>::of(shapes, window, tube.positive(row, x), r, x, steps);
       const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(guess.magnitude, steps.eighth()), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });

@@ -34,6 +34,7 @@ class GeometryCoder {
       if (!scalars.has(place)) tellGradient(ask, scalars, place);
       if (ask.spent()) return;  // what was read of the gradient may be noise
       enter(tube, scalars, place);
+      shapes_.load(tube.window());
       auto& brick = scalars.writable(place);
       const int floor = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
       // Positive vertices first: the others then know the far ends of their crossing edges.
@@ -120,7 +121,7 @@ class GeometryCoder {
 
   template <class Exchange>
   int tellOctave(Exchange& ask, int row, std::size_t r, int x, int floor, uint32_t truth) {
-    const auto g = Prediction<D>::of(tube_->window(), window_, row, r, x, steps_);
+    const auto g = Prediction<D>::of(shapes_, window_, tube_->positive(row, x), r, x, steps_);
     const int guessed = eighths(static_cast<uint64_t>(g.magnitude) / 2);
     const int expected = std::clamp((guessed - 1) / 8 + 1 - floor, 0, kMostWidth - floor);
     const int octave = std::max(0, 32 - std::countl_zero(truth) - floor);
@@ -257,6 +258,7 @@ class GeometryCoder {
   std::array<Crossed, power(3, D)> crossed_;
   std::size_t crossedCount_ = 0;
   ScalarWindow<D> window_;
+  ShapeEstimate<D> shapes_;
   int gradient_ = 0;
   Steps steps_;
   int lastGradient_ = 0;

@@ -108,18 +108,23 @@ class Mixer {
   /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits.
   template <int Limit, int Rate, class Coder>
   static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights) {
-    Lanes states{}, logOdds{}, trust = lanesAt(weights.data());
-    for (int i = 0; i < N; ++i) states[i] = static_cast<int32_t>(contexts[i]->state_);
-    for (int i = 0; i < N; ++i) logOdds[i] = Logistic::stretch(contexts[i]->state_ >> 16);
-    const Lanes product = trust * logOdds;
-    const uint32_t chance = Logistic::squash((product[0] + product[1] + product[2] + product[3]) >> 14);
+    std::array<int32_t, 4> logOdds{}, states{};
+    int32_t sum = 0;
+    for (int i = 0; i < N; ++i) {
+      states[i] = static_cast<int32_t>(contexts[i]->state_);
+      logOdds[i] = Logistic::stretch(contexts[i]->state_ >> 16);
+      sum += weights[i] * logOdds[i];
+    }
+    const uint32_t chance = Logistic::squash(sum >> 14);
     const bool value = coder.bit(truth, chance);
     const int32_t error = (static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance)) >> 2;
-    trust += (logOdds * error + (1 << (Rate + 1))) >> (Rate + 2);
+    const Lanes inputs{logOdds[0], logOdds[1], logOdds[2], logOdds[3]};
+    Lanes trust = lanesAt(weights.data());
+    trust += (inputs * error + (1 << (Rate + 1))) >> (Rate + 2);
     trust = clamped(trust, 8 * kOne);
     std::memcpy(weights.data(), &trust, sizeof trust);
-    states = Chance::learned<Limit>(states, value);
-    for (int i = 0; i < N; ++i) contexts[i]->state_ = static_cast<uint32_t>(states[i]);
+    const Lanes learned = Chance::learned<Limit>(Lanes{states[0], states[1], states[2], states[3]}, value);
+    for (int i = 0; i < N; ++i) contexts[i]->state_ = static_cast<uint32_t>(learned[i]);
     return value;
   }
 

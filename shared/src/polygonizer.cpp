@@ -20,6 +20,8 @@ struct EdgeIndex {
   std::array<std::array<uint32_t, kRows>, 7> first;
   std::array<std::array<uint8_t, kRows>, 7> crossed;
 
+  EdgeIndex() {}  // leaves them as they are: filling them with zeros first would take longer than counting
+
   [[nodiscard]] uint32_t vertex(unsigned axes, unsigned row, unsigned x) const {
     return first[axes - 1][row] + static_cast<uint32_t>(std::popcount(crossed[axes - 1][row] & ((1u << x) - 1u)));
   }
@@ -71,13 +73,14 @@ class Polygonization {
     }
     out_.positions.resize(vertices_ * 3);
     if (options_.normals) out_.normals.resize(vertices_ * 3);
-    out_.triangles.reserve(vertices_ * 6 + 64);
+    out_.triangles.resize(vertices_ * 6 + 64);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) placeVertices(place);
     }
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) cutCells(place);
     }
+    out_.triangles.resize(corners_);
     return Error::None;
   }
 
@@ -196,6 +199,8 @@ class Polygonization {
       const Bits c = window.rows[row + Window<3>::rowStride(2)], d = window.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
       const Bits some = a | b | c | d, all = a & b & c & d;
       Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inside;
+      constexpr std::size_t kMostOfRow = kBrickSide * CellCase::kMostTriangles * 3;
+      if (out_.triangles.size() - corners_ < kMostOfRow) out_.triangles.resize(corners_ + corners_ / 8 + kMostOfRow);
       for (; open != 0; open &= open - 1) {
         const auto x = static_cast<unsigned>(std::countr_zero(open));
         const unsigned at = x + Window<3>::kHalo;
@@ -214,9 +219,8 @@ class Polygonization {
       const EdgeIndex* index = near[ex >> 3 | (ey >> 3) << 1 | (ez >> 3) << 2];
       ids[e] = index->vertex(edge.axes, (ey & 7) | (ez & 7) << 3, ex & 7);
     }
-    const std::size_t size = out_.triangles.size();
-    out_.triangles.resize(size + std::size_t{shape.triangleCount} * 3);
-    uint32_t* next = &out_.triangles[size];
+    uint32_t* next = out_.triangles.data() + corners_;
+    corners_ += std::size_t{shape.triangleCount} * 3;
     for (std::size_t i = 0; i < shape.triangleCount; ++i, next += 3) {
       const auto& t = shape.triangles[i];
       next[0] = ids[t[0]];
@@ -238,6 +242,7 @@ class Polygonization {
   std::vector<EdgeIndex> index_;
   std::vector<Window<3>> windows_;
   uint64_t vertices_ = 0;
+  std::size_t corners_ = 0;  // of triangles, so far
   ScalarWindow<3> scalars_;
 };
 

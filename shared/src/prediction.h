@@ -21,8 +21,8 @@ class Steps {
   [[nodiscard]] int shift() const { return shift_; }
   /// An eighth of a step, but not nothing.
   [[nodiscard]] int64_t eighth() const { return std::max<int64_t>(1, (steps_ << shift_) / 8); }
-  /// As many steps as a ShapeEstimate says, scaled down. A plane's slope is 2^20 / 362.
-  [[nodiscard]] int64_t times(int32_t estimate) const { return (estimate * steps_ * 362) >> 20; }
+  /// As many steps as a ShapeEstimate says, scaled down. A plane's slope is 2^20 / 181.
+  [[nodiscard]] int64_t times(int32_t estimate) const { return (estimate * steps_ * 181) >> 20; }
 
  private:
   int shift_;
@@ -37,19 +37,17 @@ struct Prediction {
 
   /// Known neighbours are extrapolated along the slope that the signs show. `steps`: half quanta by which the field
   /// changes in a grid step.
-  static Prediction of(const Window<D>& signs, const ScalarWindow<D>& scalars, int row, std::size_t r, int x, Steps steps) {
-    const bool positive = (signs.rows[row] >> (x + Window<D>::kHalo) & 1) != 0;
-    const auto estimate = ShapeEstimate<D>::of(signs, row, x + Window<D>::kHalo);
-    const int32_t own = positive ? estimate.sum : -estimate.sum;
+  static Prediction of(const ShapeEstimate<D>& shapes, const ScalarWindow<D>& scalars, bool positive, std::size_t r, int x, Steps steps) {
+    const int32_t own = positive ? shapes.sum(r, x) : -shapes.sum(r, x);
     Prediction result;
-    result.shape = own < -512 ? 0 : own >= 3584 ? 63 : (own + 512) >> 6;
+    result.shape = std::clamp((own + 1024) >> 7, 0, 63);
     const Around around(&scalars.value[ScalarWindow<D>::index(r, x)], steps.shift());
     if (around.weight == 0) {
       result.magnitude = own <= 0 ? 0 : steps.times(own) << steps.shift();
       return result;
     }
     int32_t tilt = 0;
-    for (int a = 0; a < D; ++a) tilt += estimate.slope[a] * around.moment[a];
+    for (int a = 0; a < D; ++a) tilt += shapes.slope(a, r, x) * around.moment[a];
     const int64_t sum = around.sum - steps.times(tilt);
     const int64_t mean = (positive ? sum : -sum) * reciprocal(around.weight) >> 16;
     result.magnitude = mean < 0 ? 0 : mean << steps.shift();

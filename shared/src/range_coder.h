@@ -85,12 +85,10 @@ class RangeDecoder {
   bool bit(bool /*truth*/, uint32_t chance) {
     const uint32_t split = (range_ >> 16) * chance;
     const bool value = code_ < split;
-    if (value) {
-      range_ = split;
-    } else {
-      code_ -= split;
-      range_ -= split;
-    }
+    // Masks instead of a branch: a good model leaves nothing that could be predicted.
+    const uint32_t upper = value ? 0 : ~0u;
+    code_ -= split & upper;
+    range_ = split + ((range_ - 2 * split) & upper);
     while (range_ < (1u << 24)) {
       code_ = code_ << 8 | byte();
       range_ <<= 8;
