@@ -199,25 +199,42 @@ class Polygonization {
       const Bits c = window.rows[row + Window<3>::rowStride(2)], d = window.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
       const Bits some = a | b | c | d, all = a & b & c & d;
       Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inside;
+      if (open == 0) continue;
+      const EdgeRows rows = edgeRows(near, r);
       constexpr std::size_t kMostOfRow = kBrickSide * CellCase::kMostTriangles * 3;
       if (out_.triangles.size() - corners_ < kMostOfRow) out_.triangles.resize(corners_ + corners_ / 8 + kMostOfRow);
       for (; open != 0; open &= open - 1) {
         const auto x = static_cast<unsigned>(std::countr_zero(open));
         const unsigned at = x + Window<3>::kHalo;
         const unsigned signs = (a >> at & 3) | (b >> at & 3) << 2 | (c >> at & 3) << 4 | (d >> at & 3) << 6;
-        cutCell(near, signs, x, r);
+        cutCell(rows, signs, x, r);
       }
     }
   }
 
-  void cutCell(const std::array<const EdgeIndex*, 8>& near, unsigned signs, unsigned x, unsigned r) {
+  /// A row of edges that cells of a row need: by corner on axes 1 and 2, then whether it lies in the next brick on axis 0.
+  struct EdgeRow {
+    const EdgeIndex* index;
+    unsigned row;
+  };
+  using EdgeRows = std::array<EdgeRow, 8>;
+  static EdgeRows edgeRows(const std::array<const EdgeIndex*, 8>& near, unsigned r) {
+    EdgeRows rows;
+    for (unsigned n = 0; n < rows.size(); ++n) {
+      const unsigned y = (r & 7) + (n & 1), z = (r >> 3) + (n >> 1 & 1);
+      rows[n] = {near[n >> 2 | (y >> 3) << 1 | (z >> 3) << 2], (y & 7) | (z & 7) << 3};
+    }
+    return rows;
+  }
+
+  void cutCell(const EdgeRows& rows, unsigned signs, unsigned x, unsigned r) {
     const CellCase& shape = (*tables_[(x & 1) | (r & 1) << 1 | (r >> 3 & 1) << 2])[signs];
     std::array<uint32_t, CellCase::kMostEdges> ids;
     for (std::size_t e = 0; e < shape.edgeCount; ++e) {
       const CellEdge edge = shape.edges[e];
-      const unsigned ex = x + (edge.corner & 1), ey = (r & 7) + (edge.corner >> 1 & 1), ez = (r >> 3) + (edge.corner >> 2 & 1);
-      const EdgeIndex* index = near[ex >> 3 | (ey >> 3) << 1 | (ez >> 3) << 2];
-      ids[e] = index->vertex(edge.axes, (ey & 7) | (ez & 7) << 3, ex & 7);
+      const unsigned ex = x + (edge.corner & 1);
+      const EdgeRow& row = rows[(edge.corner >> 1) | (ex & kBrickSide) >> 1];
+      ids[e] = row.index->vertex(edge.axes, row.row, ex & 7);
     }
     uint32_t* next = out_.triangles.data() + corners_;
     corners_ += std::size_t{shape.triangleCount} * 3;
