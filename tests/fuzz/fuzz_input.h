@@ -1,0 +1,67 @@
+// A fuzzer's bytes as numbers, and what any decoder must do with any of them.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "isostar/isostar.h"
+
+namespace isostar {
+
+inline constexpr Limits kFuzzLimits{1u << 20, 1u << 16, 32u << 20};
+
+/// Takes numbers off the front; zeros past the end.
+class FuzzInput {
+ public:
+  FuzzInput(const uint8_t* data, std::size_t size) : rest_(reinterpret_cast<const std::byte*>(data), size) {}
+
+  uint8_t byte() { return number<uint8_t>(); }
+  /// Within first … last.
+  int between(int first, int last) { return first + byte() % (last - first + 1); }
+  template <class Number>
+  Number number() {
+    Number n{};
+    const auto taken = bytes(sizeof(Number));
+    std::memcpy(&n, taken.data(), taken.size());
+    return n;
+  }
+  std::span<const std::byte> bytes(std::size_t count) {
+    const auto taken = rest_.first(std::min(count, rest_.size()));
+    rest_ = rest_.subspan(taken.size());
+    return taken;
+  }
+  [[nodiscard]] std::span<const std::byte> rest() const { return rest_; }
+
+ private:
+  std::span<const std::byte> rest_;
+};
+
+inline void demand(bool truth) {
+  if (!truth) std::abort();
+}
+
+/// Makes both meshes of what a decoder shows.
+inline void demandSoundMeshes(const Decoder& decoder) {
+  for (const Polygonizer polygonizer : {Polygonizer::Cubes, Polygonizer::Tetrahedra}) {
+    Mesh mesh;
+    if (decoder.mesh({polygonizer, Frame::World, true}, mesh) != Error::None) continue;
+    const std::size_t vertices = mesh.positions.size() / 3;
+    demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() && mesh.triangles.size() % 3 == 0);
+    for (uint32_t v : mesh.triangles) demand(v < vertices);
+    for (float v : mesh.positions) demand(std::isfinite(v));
+    for (float v : mesh.normals) demand(std::isfinite(v));
+  }
+}
+
+inline void demandHarmless(std::span<const std::byte> stream) {
+  Decoder decoder(kFuzzLimits);
+  decoder.feed(stream);
+  decoder.finish();
+  while (decoder.advance()) demandSoundMeshes(decoder);
+  demand(decoder.complete() || decoder.error() != Error::None);
+  StreamInfo info;
+  (void)inspect(stream, info);
+}
+
+}  // namespace isostar

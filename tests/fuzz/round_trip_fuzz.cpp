@@ -1,0 +1,55 @@
+// Any tiny volume: lossless gives its own triangles back, and a bound is kept.
+#include "fuzz_input.h"
+
+using namespace isostar;
+
+namespace {
+
+Volume volumeFrom(FuzzInput& input, std::vector<float>& samples) {
+  Volume volume;
+  std::size_t count = 1;
+  for (int32_t& n : volume.size) count *= static_cast<std::size_t>(n = input.between(1, 9));
+  const bool whole = (input.byte() & 1) != 0;
+  for (std::size_t i = 0; i < count; ++i) samples.push_back(whole ? static_cast<float>(input.number<int8_t>()) : input.number<float>());
+  volume.samples = samples;
+  return volume;
+}
+
+Mesh decoded(const std::vector<std::byte>& stream, const MeshOptions& options) {
+  Decoder decoder(kFuzzLimits);
+  decoder.feed(stream);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  Mesh mesh;
+  demand(decoder.complete() && decoder.error() == Error::None && decoder.mesh(options, mesh) == Error::None);
+  return mesh;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
+  FuzzInput input(data, size);
+  EncodeOptions options;
+  options.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
+  options.lossless = input.between(0, 1) == 1;
+  options.maxError = input.between(1, 100) / 200.0;
+  options.isovalue = input.between(-3, 3) / 2.0;
+  std::vector<float> samples;
+  const Volume volume = volumeFrom(input, samples);
+  std::vector<std::byte> stream;
+  const MeshOptions grid{options.polygonizer, Frame::Grid, true};
+  Mesh source;
+  const Error error = polygonize(volume, options.isovalue, grid, source);
+  demand(encode(volume, options, stream) == error);
+  if (error != Error::None) return 0;
+  const Mesh mesh = decoded(stream, grid);
+  demand(mesh.triangles == source.triangles && mesh.positions.size() == source.positions.size());
+  const double bound = options.lossless ? 0 : options.maxError;
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+    double squares = 0;
+    for (std::size_t a = 0; a < 3; ++a) squares += std::pow(double{mesh.positions[i + a]} - source.positions[i + a], 2);
+    demand(std::sqrt(squares) <= bound + 1e-4);
+  }
+  return 0;
+}
