@@ -10,7 +10,9 @@ Volume volumeFrom(FuzzInput& input, std::vector<float>& samples) {
   std::size_t count = 1;
   for (int32_t& n : volume.size) count *= static_cast<std::size_t>(n = input.between(1, 9));
   const bool whole = (input.byte() & 1) != 0;
-  for (std::size_t i = 0; i < count; ++i) samples.push_back(whole ? static_cast<float>(input.number<int8_t>()) : input.number<float>());
+  // Of similar sizes: scalars are kept relative to the largest at the surface.
+  const float scale = whole ? 1 : std::ldexp(1.37F, input.between(-60, 60));
+  for (std::size_t i = 0; i < count; ++i) samples.push_back(scale * static_cast<float>(whole ? input.number<int8_t>() : input.number<int16_t>()));
   volume.samples = samples;
   return volume;
 }
@@ -34,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   options.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
   options.lossless = input.between(0, 1) == 1;
   options.maxError = input.between(1, 100) / 200.0;
-  options.isovalue = input.between(-3, 3) / 2.0;
+  options.isovalue = input.between(0, 3) / 2.0;
   std::vector<float> samples;
   const Volume volume = volumeFrom(input, samples);
   std::vector<std::byte> stream;

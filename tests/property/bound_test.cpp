@@ -54,6 +54,21 @@ TEST(Bound, holdsWhereValuesSpanManyScales) {
   for (const Polygonizer polygonizer : kPolygonizers) expectBound(field, 0.05, polygonizer);
 }
 
+TEST(Bound, holdsBesideASpike) {
+  // Scalars near the isovalue next to very large ones: what moves a crossing to first order says little of how far it may move.
+  for (const float spike : {300.0F, 65535.0F, 5e7F}) {
+    for (const float shoulder : {1.0F, 20.0F, 16834.0F}) {
+      SampledField field{"spike", {2, 7, 8}, std::vector<float>(2 * 7 * 8)};
+      field.samples[0] = field.samples[1] = spike;
+      field.samples[2] = shoulder;
+      for (float& s : field.samples) s -= 0.5F;
+      for (double maxError : {0.365, 0.05}) {
+        for (const Polygonizer polygonizer : kPolygonizers) expectBound(field, maxError, polygonizer);
+      }
+    }
+  }
+}
+
 TEST(Bound, aCoarserOneTakesFewerBytes) {
   const auto field = sampled("gyroid", {32, 32, 32}, gyroid());
   std::size_t before = 0;
