@@ -71,7 +71,7 @@ void VolumeField::quantize(Header& header, const Signs<3>& signs) const {
     return;
   }
   // A quantum of 1 marks samples that are whole numbers: keep clear of it.
-  const double quantum = std::ldexp(largest, header.lossless ? -28 : -24);
+  const double quantum = std::ldexp(largest, -28);
   header.quantum = quantum == 1 ? 0.5 : quantum;
   header.positiveOffset = header.negativeOffset = 0.5;
 }

@@ -58,6 +58,7 @@ class GeometryCoder {
   template <class Exchange>
   void refine(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, const Allowed& allowed, int most, bool selective,
               const std::vector<uint8_t>& active) {
+    selective_ = selective;
     for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
       if (active[place] == 0 || !scalars.has(place)) continue;
       if (selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
@@ -223,14 +224,16 @@ class GeometryCoder {
     return false;
   }
 
-  /// Half the interval times |b| / (|a| + |b|)² is how far the crossing moves.
-  static bool exceeds(uint64_t other, uint32_t middle, int width, uint32_t allowed) {
-    uint64_t total = other + middle, size = uint64_t{2} << width;
+  /// Half the interval times |b| / (|a| + |b|)² is how far the crossing moves, to first order; towards a small end of
+  /// the interval it is more, and a selective pass counts that.
+  [[nodiscard]] bool exceeds(uint64_t other, uint32_t middle, int width, uint32_t allowed) const {
+    uint64_t total = other + middle, least = selective_ ? total - (uint64_t{1} << width) : total, size = uint64_t{2} << width;
     const int excess = std::max(0, 44 - std::countl_zero(total));
-    other >>= excess;
+    other = std::max<uint64_t>(1, other >> excess);
+    least = std::max<uint64_t>(1, least >> excess);
     total >>= excess;
     size >>= excess;
-    return (size * other) << 16 > allowed * total * total;
+    return (size * other) << 16 > allowed * total * least;
   }
 
   template <class Exchange>
@@ -262,6 +265,7 @@ class GeometryCoder {
   int gradient_ = 0;
   Steps steps_;
   int lastGradient_ = 0;
+  bool selective_ = false;
   std::array<Chance, 16> gradientModel_;
   Chance selectModel_;
   std::vector<Chance> shape_, guess_, beside_, both_, refine_;
