@@ -77,9 +77,13 @@ void VolumeField::quantize(Header& header, const Signs<3>& signs) const {
 }
 
 uint32_t VolumeField::magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {
-  const auto brick = table_.brick(place);
-  const double d = scalar({brick[0] * 8 + x, brick[1] * 8 + static_cast<int32_t>(r % 8), brick[2] * 8 + static_cast<int32_t>(r / 8)});
-  if (header.quantum == 1) return static_cast<uint32_t>(std::lround(d > 0 ? d - header.positiveOffset : -d - header.negativeOffset));
+  if (place != lastPlace_) {
+    const auto brick = table_.brick(place);
+    lastPlace_ = place;
+    lastStart_ = at({brick[0] * kBrickSide, brick[1] * kBrickSide, brick[2] * kBrickSide});
+  }
+  const double d = double{samples_[lastStart_ + static_cast<std::size_t>(x) + (r % kBrickSide) * stride_[1] + (r / kBrickSide) * stride_[2]]} - isovalue_;
+  if (header.quantum == 1) return static_cast<uint32_t>((d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
   return static_cast<uint32_t>(std::min(std::abs(d) / header.quantum, double((1 << 29) - 1)));
 }
 

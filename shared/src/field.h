@@ -44,6 +44,8 @@ class VolumeField {
   Coordinates<3> last_{};
   std::array<std::size_t, 3> stride_{};
   BrickTable<3> table_;
+  // The brick that magnitude() was asked of last, and its first sample: bricks are asked one after the other.
+  mutable std::size_t lastPlace_ = SIZE_MAX, lastStart_ = 0;
 };
 
 /// A field's scalars as the quanta of one stream, and the bricks selected for a pass, by place.

@@ -9,12 +9,12 @@
 namespace isostar {
 namespace {
 
-/// Calls enter(place) for each active brick and then visit(brick, row, x, axes) for each of its crossed edges.
+/// Calls enter(place) for each stride-th active brick and then visit(brick, row, x, axes) for each of its crossed edges.
 template <class Enter, class Visit>
-void forCrossings(const Signs<3>& signs, const std::vector<uint8_t>& active, bool diagonals, Enter enter, Visit visit) {
+void forCrossings(const Signs<3>& signs, const std::vector<uint8_t>& active, std::size_t stride, bool diagonals, Enter enter, Visit visit) {
   Window<3> window;
-  for (std::size_t place = 0; place < active.size(); ++place) {
-    if (active[place] == 0) continue;
+  for (std::size_t place = 0, number = 0; place < active.size(); ++place) {
+    if (active[place] == 0 || number++ % stride != 0) continue;
     const auto brick = signs.table().brick(place);
     window.load(signs, brick);
     enter(place);
@@ -38,7 +38,7 @@ double length(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v
 
 uint64_t countCrossings(const Signs<3>& signs, const std::vector<uint8_t>& active) {
   uint64_t count = 0;
-  forCrossings(signs, active, false, [](std::size_t) {}, [&](const Coordinates<3>&, unsigned, unsigned, unsigned) { ++count; });
+  forCrossings(signs, active, 1, false, [](std::size_t) {}, [&](const Coordinates<3>&, unsigned, unsigned, unsigned) { ++count; });
   return count;
 }
 
@@ -130,21 +130,24 @@ double SourceDistance::decoded(const ScalarWindow<3>& scalars, const EdgeEnds& e
 }
 
 double SourceDistance::rms(const Signs<3>& signs, const Scalars<3>& scalars, const std::vector<uint8_t>& active) const {
-  constexpr uint64_t kFewSamples = 400, kManySamples = 5000;
+  constexpr uint64_t kCoarseSamples = 128;  // each searches for the nearest crossing
+  constexpr std::size_t kFineBricks = 100;
   const int32_t step = signs.lattice().step;
   const bool told = !active.empty();
   const auto bricks = told ? active : activeBricks(signs);
   Scalars<3> estimated = told ? Scalars<3>() : Scalars<3>(bricks.size());
   if (!told) estimateMissing(signs, bricks, Members::AxisEnds, 0, estimated);
   const Scalars<3>& known = told ? scalars : estimated;
-  const uint64_t every = countCrossings(signs, bricks) / (step == 1 ? kManySamples : kFewSamples) + 1;
+  const bool fine = step == 1;
+  const uint64_t every = fine ? 1 : countCrossings(signs, bricks) / kCoarseSamples + 1;
+  const std::size_t stride = fine ? static_cast<std::size_t>(std::ranges::count(bricks, 1)) / kFineBricks + 1 : 1;
   ScalarWindow<3> window;
   std::size_t entered = 0;
   bool loaded = false;
   uint64_t number = 0, samples = 0;
   double sum = 0;
   forCrossings(
-      signs, bricks, false,
+      signs, bricks, stride, false,
       [&](std::size_t place) {
         entered = place;
         loaded = false;
@@ -156,7 +159,7 @@ double SourceDistance::rms(const Signs<3>& signs, const Scalars<3>& scalars, con
         const EdgeEnds ends(brick, r, x, axes);
         const double t = decoded(window, ends);
         double distance = 0;
-        if (step == 1) {
+        if (fine) {
           const auto axis = static_cast<std::size_t>(std::countr_zero(axes));
           distance = (t - crossing(ends.even, ends.odd)) * edgeLength(header_.placement, axes) * normal(ends.even, ends.odd)[axis];
         } else {
@@ -179,7 +182,7 @@ std::vector<uint8_t> SourceDistance::beyond(double bound, const Signs<3>& signs,
   bool any = false;
   ScalarWindow<3> window;
   forCrossings(
-      signs, active, header_.polygonizer == Polygonizer::Tetrahedra,
+      signs, active, 1, header_.polygonizer == Polygonizer::Tetrahedra,
       [&](std::size_t place) { window.load(scalars, table, table.brick(place)); },
       [&](const Coordinates<3>& brick, unsigned r, unsigned x, unsigned axes) {
         const EdgeEnds ends(brick, r, x, axes);
