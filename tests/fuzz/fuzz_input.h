@@ -47,7 +47,8 @@ inline void demandSoundMeshes(const Decoder& decoder) {
     Mesh mesh;
     if (decoder.mesh({polygonizer, Frame::World, true}, mesh) != Error::None) continue;
     const std::size_t vertices = mesh.positions.size() / 3;
-    demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() && mesh.triangles.size() % 3 == 0);
+    demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() &&
+           mesh.triangles.size() % 3 == 0);
     for (uint32_t v : mesh.triangles) demand(v < vertices);
     for (float v : mesh.positions) demand(std::isfinite(v));
     for (float v : mesh.normals) demand(std::isfinite(v));

@@ -12,7 +12,8 @@ Volume volumeFrom(FuzzInput& input, std::vector<float>& samples) {
   const bool whole = (input.byte() & 1) != 0;
   // Of similar sizes: scalars are kept relative to the largest at the surface.
   const float scale = whole ? 1 : std::ldexp(1.37F, input.between(-60, 60));
-  for (std::size_t i = 0; i < count; ++i) samples.push_back(scale * static_cast<float>(whole ? input.number<int8_t>() : input.number<int16_t>()));
+  for (std::size_t i = 0; i < count; ++i)
+    samples.push_back(scale * static_cast<float>(whole ? input.number<int8_t>() : input.number<int16_t>()));
   volume.samples = samples;
   return volume;
 }

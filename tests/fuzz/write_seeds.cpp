@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
       options.lossless = number % 3 == 0;
       std::vector<std::byte> stream;
       if (isostar::encode(field.volume(), options, stream) != isostar::Error::None) return 1;
-      std::ofstream(folder / std::to_string(number++), std::ios::binary).write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
+      std::ofstream(folder / std::to_string(number++), std::ios::binary)
+          .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
     }
   }
 }

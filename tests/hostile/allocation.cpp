@@ -23,11 +23,17 @@ void operator delete(void* memory) noexcept {
   if (memory != nullptr) held -= std::min(held, malloc_usable_size(memory));
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+void operator delete(void* memory, std::size_t) noexcept {
+  operator delete(memory);
+}
 
 namespace isostar {
 
-Allocation::Allocation() { held = most = 0; }
-std::size_t Allocation::peak() const { return most; }
+Allocation::Allocation() {
+  held = most = 0;
+}
+std::size_t Allocation::peak() const {
+  return most;
+}
 
 }  // namespace isostar

@@ -37,7 +37,8 @@ inline Bytes repaired(Bytes bytes, const Anatomy& anatomy) {
   const std::span<const std::byte> all(bytes);
   constexpr std::size_t kMagic = 4, kSum = 4;
   putChecksum(bytes, anatomy.headerEnd - kSum, checksum(all.subspan(kMagic, anatomy.headerEnd - kMagic - kSum)));
-  for (const auto& layer : anatomy.layers) putChecksum(bytes, layer.payload - kSum, checksum(all.subspan(layer.payload, layer.end - layer.payload)));
+  for (const auto& layer : anatomy.layers)
+    putChecksum(bytes, layer.payload - kSum, checksum(all.subspan(layer.payload, layer.end - layer.payload)));
   return bytes;
 }
 

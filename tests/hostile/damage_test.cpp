@@ -62,7 +62,8 @@ TEST(Damage, aLayerThatIsBadLeavesTheOnesBefore) {
     if (anatomy.layers[i].end == anatomy.layers[i].payload) continue;
     Bytes bad = good;
     bad[anatomy.layers[i].payload] ^= std::byte{1};
-    const Decoder decoder = harmlesslyDecoded(bad), before = decoderOf(std::span(good).first(anatomy.layers[i - 1].end));
+    const Decoder decoder = harmlesslyDecoded(bad),
+                  before = decoderOf(std::span(good).first(anatomy.layers[i - 1].end));
     EXPECT_EQ(decoder.error(), Error::Corrupt);
     EXPECT_EQ(decoder.bytes(), anatomy.layers[i - 1].end);
     EXPECT_EQ(meshOf(decoder).positions, meshOf(before).positions);

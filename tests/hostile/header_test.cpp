@@ -13,8 +13,12 @@ Header plausible() {
   return header;
 }
 
-Error errorOf(const Bytes& bytes, const Limits& limits = kTight) { return harmlesslyDecoded(bytes, limits).error(); }
-Error errorOf(const Header& header, const Limits& limits = kTight) { return errorOf(assembled(header, {}), limits); }
+Error errorOf(const Bytes& bytes, const Limits& limits = kTight) {
+  return harmlesslyDecoded(bytes, limits).error();
+}
+Error errorOf(const Header& header, const Limits& limits = kTight) {
+  return errorOf(assembled(header, {}), limits);
+}
 
 Bytes bytesOf(const std::string& text) {
   Bytes bytes;
@@ -27,7 +31,8 @@ TEST(HostileHeader, aPlausibleOneIsTaken) {
 }
 
 TEST(HostileHeader, foreignFiles) {
-  for (const char* text : {"DRACO", "\x89PNG\r\n", "ply\n", "isn't ours", "<!DOCTYPE html>"}) EXPECT_EQ(errorOf(bytesOf(text)), Error::NotIsostar) << text;
+  for (const char* text : {"DRACO", "\x89PNG\r\n", "ply\n", "isn't ours", "<!DOCTYPE html>"})
+    EXPECT_EQ(errorOf(bytesOf(text)), Error::NotIsostar) << text;
   EXPECT_EQ(errorOf(bytesOf("is")), Error::Truncated);
   EXPECT_EQ(errorOf(Bytes{}), Error::Truncated);
   EXPECT_EQ(errorOf(bytesOf("iso\xB5")), Error::Truncated);
@@ -48,8 +53,9 @@ TEST(HostileHeader, otherVersions) {
 }
 
 TEST(HostileHeader, sizesBeyondTheLimits) {
-  for (const Size& size : {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27}, Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
-                           Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
+  for (const Size& size :
+       {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27}, Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
+        Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
     Header header = plausible();
     header.size = size;
     header.octaves = 28;
@@ -112,7 +118,8 @@ TEST(HostileHeader, layersInADisorder) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
   for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
     const auto& at = anatomy.layers[i];
-    layers.emplace_back(anatomy.heads[i], Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload), good.begin() + static_cast<std::ptrdiff_t>(at.end)));
+    layers.emplace_back(anatomy.heads[i], Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
+                                                good.begin() + static_cast<std::ptrdiff_t>(at.end)));
   }
   ASSERT_EQ(assembled(anatomy.header, layers), good);
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -123,7 +130,9 @@ TEST(HostileHeader, layersInADisorder) {
     (void)errorOf(assembled(anatomy.header, twice));
     std::swap(swapped[i], swapped[(i + 1) % layers.size()]);
     (void)errorOf(assembled(anatomy.header, swapped));
-    if (anatomy.heads[i].level == anatomy.header.octaves && i > 0 && anatomy.heads[i - 1].level == anatomy.header.octaves) continue;
+    if (anatomy.heads[i].level == anatomy.header.octaves && i > 0 &&
+        anatomy.heads[i - 1].level == anatomy.header.octaves)
+      continue;
     EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt) << "layer " << i << " twice";
   }
   for (int kind = 0; kind < 4; ++kind) {

@@ -13,7 +13,8 @@ namespace {
 Header headerOf(const Size& size) {
   Header header;
   header.size = size;
-  while (std::ranges::any_of(header.base().last, [](int32_t last) { return last > Header::kMostBaseCells; })) ++header.octaves;
+  while (std::ranges::any_of(header.base().last, [](int32_t last) { return last > Header::kMostBaseCells; }))
+    ++header.octaves;
   return header;
 }
 
@@ -38,7 +39,8 @@ Bytes streamOf(const Header& header, Payload payload) {
   Knowledge known(header);
   for (int level = 0; level <= header.octaves; ++level) {
     const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
-    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? known.base(ask) : known.refine(ask); })});
+    layers.push_back(
+        {{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? known.base(ask) : known.refine(ask); })});
   }
   for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
@@ -59,7 +61,8 @@ Bytes diceStream(const Header& header, uint64_t seed, double rate) {
   return streamOf(header, [&](auto tell) { return thrown<3>(++seed, rate, tell); });
 }
 
-const std::vector<Size> kHostileSizes{{9, 9, 9}, {100, 100, 100}, {1, 1 << 11, 1 << 11}, {1 << 22, 1, 1}, {2, 2, 1 << 20}, {160, 160, 160}};
+const std::vector<Size> kHostileSizes{{9, 9, 9},       {100, 100, 100}, {1, 1 << 11, 1 << 11},
+                                      {1 << 22, 1, 1}, {2, 2, 1 << 20}, {160, 160, 160}};
 
 TEST(HostileNoise, endsSoon) {
   for (const Size& size : kHostileSizes) {
@@ -80,7 +83,8 @@ TEST(HostileNoise, diceStreamsAreClosedSurfaces) {
       const Bytes bytes = diceStream(headerOf(size), seed, rate);
       const Decoder decoder = harmlesslyDecoded(bytes);
       EXPECT_EQ(decoder.error(), Error::None);
-      for (const Polygonizer polygonizer : kPolygonizers) expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
+      for (const Polygonizer polygonizer : kPolygonizers)
+        expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
     }
   }
 }
@@ -98,7 +102,8 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   Knowledge known(header);
   layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<3>(1, 0.5, [&](auto& ask) { known.base(ask); })});
   for (int level = 1; level <= header.octaves; ++level) {
-    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
+    layers.push_back(
+        {{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
   }
   const GeometryPass pass{LayerKind::Octaves, Members::AxisEnds, 0, {}, 0, false};
   Bytes geometry = fieldsOf(pass);
@@ -107,7 +112,8 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   layers.push_back({{LayerKind::Octaves, header.octaves, 0, 0, 0}, geometry});
   const Bytes bytes = assembled(header, layers);
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::None);
-  for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length) (void)harmlesslyDecoded(std::span(bytes).first(length));
+  for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length)
+    (void)harmlesslyDecoded(std::span(bytes).first(length));
 }
 
 /// What a decoder holds beside its state: its models, and the bytes that it was fed.
@@ -133,7 +139,8 @@ TEST(HostileNoise, staysWithinTheMemoryAllowed) {
       for (const std::size_t megabytes : {1u, 4u}) {
         Error error;
         const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
-        EXPECT_LE(peak, kGrowth * (megabytes << 20) + kModels + 2 * bytes.size()) << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate;
+        EXPECT_LE(peak, kGrowth * (megabytes << 20) + kModels + 2 * bytes.size())
+            << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate;
         EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
       }
     }
@@ -146,10 +153,12 @@ TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
     const Header header = headerOf(size);
     std::vector<std::pair<LayerHead, Bytes>> layers;
     for (int level = 0; level <= header.octaves; ++level) {
-      layers.push_back({{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
+      layers.push_back(
+          {{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
     }
     Error error;
-    EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error), (kGrowth << 20) + kModels) << testing::PrintToString(size);
+    EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error), (kGrowth << 20) + kModels)
+        << testing::PrintToString(size);
     EXPECT_EQ(error, Error::OverLimit) << testing::PrintToString(size);
   }
 }

@@ -55,7 +55,8 @@ TEST(Bound, holdsWhereValuesSpanManyScales) {
 }
 
 TEST(Bound, holdsBesideASpike) {
-  // Scalars near the isovalue next to very large ones: what moves a crossing to first order says little of how far it may move.
+  // Scalars near the isovalue next to very large ones: what moves a crossing to first order says little of how far it
+  // may move.
   for (const float spike : {300.0F, 65535.0F, 5e7F}) {
     for (const float shoulder : {1.0F, 20.0F, 16834.0F}) {
       SampledField field{"spike", {2, 7, 8}, std::vector<float>(2 * 7 * 8)};

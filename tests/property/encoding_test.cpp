@@ -9,7 +9,9 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 
-SampledField small() { return sampled("gyroid", {6, 5, 4}, gyroid()); }
+SampledField small() {
+  return sampled("gyroid", {6, 5, 4}, gyroid());
+}
 
 void expectRefused(const SampledField& field, const EncodeOptions& options = {}) {
   const Bytes before{std::byte{1}, std::byte{2}};
@@ -24,8 +26,9 @@ void expectNotPolygonized(const SampledField& field, double isovalue = 0) {
 }
 
 TEST(Encoding, refusesSizesThatAreNone) {
-  for (const Size& size : {Size{0, 5, 4}, Size{6, -5, 4}, Size{-6, -5, 4}, Size{6, 5, 5}, Size{6, 5, 3}, Size{INT32_MAX, INT32_MAX, INT32_MAX},
-                           Size{INT32_MIN, 5, 4}, Size{1 << 16, 1 << 16, 1 << 16}, Size{1 << 30, 1, 1}}) {
+  for (const Size& size : {Size{0, 5, 4}, Size{6, -5, 4}, Size{-6, -5, 4}, Size{6, 5, 5}, Size{6, 5, 3},
+                           Size{INT32_MAX, INT32_MAX, INT32_MAX}, Size{INT32_MIN, 5, 4},
+                           Size{1 << 16, 1 << 16, 1 << 16}, Size{1 << 30, 1, 1}}) {
     SCOPED_TRACE(testing::PrintToString(size));
     SampledField field = small();
     field.size = size;
@@ -122,7 +125,8 @@ TEST(Encoding, anEmptySurfaceIsAStream) {
       EXPECT_TRUE(decoder.complete());
       EXPECT_EQ(decoder.info().vertices, 0u);
       EXPECT_EQ(decoder.level(), decoder.levels() - 1);
-      for (const Polygonizer polygonizer : kPolygonizers) EXPECT_TRUE(meshOf(decoder, {polygonizer, Frame::World, true}).positions.empty());
+      for (const Polygonizer polygonizer : kPolygonizers)
+        EXPECT_TRUE(meshOf(decoder, {polygonizer, Frame::World, true}).positions.empty());
     }
   }
 }

@@ -32,7 +32,8 @@ TEST(Feeding, inPiecesOfAnySize) {
   for (const auto& field : fieldsOf({20, 13, 17})) {
     const Bytes bytes = encoded(field);
     const auto whole = shownInPieces(bytes, bytes.size());
-    for (std::size_t length : {1u, 7u, 1000u}) EXPECT_EQ(shownInPieces(bytes, length), whole) << field.name << ", " << length;
+    for (std::size_t length : {1u, 7u, 1000u})
+      EXPECT_EQ(shownInPieces(bytes, length), whole) << field.name << ", " << length;
   }
 }
 

@@ -6,7 +6,9 @@ namespace isostar {
 namespace {
 
 /// Vertices are single-precision numbers: one may differ by their rounding, near the box's far end.
-double rounding(const SampledField& field) { return 2e-6 * std::max({field.size[0], field.size[1], field.size[2], 8}); }
+double rounding(const SampledField& field) {
+  return 2e-6 * std::max({field.size[0], field.size[1], field.size[2], 8});
+}
 
 void expectSourcesSurface(const SampledField& field, double isovalue = 0) {
   for (const Polygonizer polygonizer : kPolygonizers) {
@@ -49,7 +51,8 @@ TEST(Lossless, isovalueEqualToSamples) {
 }
 
 TEST(Lossless, isovaluesBetweenWholeNumbers) {
-  auto field = sampled("whole numbers", {17, 16, 9}, [](double x, double y, double z) { return std::round(1000 * gyroid()(x, y, z)) + 1024; });
+  auto field = sampled("whole numbers", {17, 16, 9},
+                       [](double x, double y, double z) { return std::round(1000 * gyroid()(x, y, z)) + 1024; });
   for (double isovalue : {1024.5, 1024.001, 1024.999, 1023.25, -0.5}) expectSourcesSurface(field, isovalue);
 }
 

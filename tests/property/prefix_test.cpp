@@ -29,7 +29,8 @@ void expectEachPrefixShows(const SampledField& field, const EncodeOptions& optio
     ASSERT_LE(decoder.bytes(), length);
     before = decoder.bytes();
     Mesh mesh;
-    ASSERT_EQ(decoder.mesh({options.polygonizer, Frame::Grid, true}, mesh), decoder.ready() ? Error::None : Error::Truncated);
+    ASSERT_EQ(decoder.mesh({options.polygonizer, Frame::Grid, true}, mesh),
+              decoder.ready() ? Error::None : Error::Truncated);
     expectSound(mesh);
     expectClosed(mesh, field.size);
   }
@@ -49,7 +50,8 @@ TEST(Prefix, ofEachLengthOfSmallStreams) {
 
 TEST(Prefix, errorFallsLayerByLayer) {
   const Size size{40, 40, 40};
-  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)), sampled("gyroid", size, gyroid(23))}) {
+  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
+                            sampled("gyroid", size, gyroid(23))}) {
     const Decoder decoder = decoderOf(encoded(field));
     double before = 1e9;
     for (const LayerInfo& layer : decoder.info().layers) {
@@ -68,7 +70,8 @@ TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
   Decoder decoder;
   decoder.feed(encoded(field));
   while (decoder.advance()) {
-    const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 59 + 0.013);
+    const double found =
+        distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 59 + 0.013);
     EXPECT_NEAR(found, decoder.rmsError(), 0.3 * found + 0.003) << "level " << decoder.level();
   }
 }
@@ -80,7 +83,8 @@ TEST(Prefix, aTornLayerIsNoWorseThanNone) {
   for (std::size_t length = 100; length < bytes.size(); length += 7) {
     const Decoder decoder = decoderOf(std::span(bytes).first(length));
     if (decoder.level() < decoder.levels() - 1) continue;
-    const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 29 + 0.013);
+    const double found =
+        distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 29 + 0.013);
     EXPECT_LE(found, decoder.rmsError() * 1.15 + 0.002) << length << " bytes";
   }
 }

@@ -11,7 +11,9 @@ using Bytes = std::vector<std::byte>;
 
 inline const std::array kPolygonizers{Polygonizer::Cubes, Polygonizer::Tetrahedra};
 
-inline std::string named(Polygonizer polygonizer) { return polygonizer == Polygonizer::Cubes ? "cubes" : "tetrahedra"; }
+inline std::string named(Polygonizer polygonizer) {
+  return polygonizer == Polygonizer::Cubes ? "cubes" : "tetrahedra";
+}
 
 inline Bytes encoded(const SampledField& field, const EncodeOptions& options = {}) {
   Bytes bytes;

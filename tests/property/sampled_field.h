@@ -53,7 +53,8 @@ inline Field torus(const Size& size, double share = 0.27) {
 inline Field gyroid(double period = 11) {
   return [=](double x, double y, double z) {
     const double k = 2 * 3.14159265358979 / period;
-    return std::sin(k * x) * std::cos(k * y) + std::sin(k * y) * std::cos(k * z) + std::sin(k * z) * std::cos(k * x) + 0.123;
+    return std::sin(k * x) * std::cos(k * y) + std::sin(k * y) * std::cos(k * z) + std::sin(k * z) * std::cos(k * x) +
+           0.123;
   };
 }
 
@@ -86,10 +87,12 @@ inline std::vector<SampledField> fieldsOf(const Size& size) {
           sampled("rough", size, [=](double x, double y, double z) { return scan(x, y, z) + 0.4 * rough(x, y, z); })};
 }
 
-inline const std::vector<Size> kSizes{{2, 2, 2}, {3, 2, 4}, {5, 7, 3}, {9, 9, 9}, {17, 16, 33}, {64, 9, 30}, {2, 40, 2}};
+inline const std::vector<Size> kSizes{{2, 2, 2},    {3, 2, 4},   {5, 7, 3}, {9, 9, 9},
+                                      {17, 16, 33}, {64, 9, 30}, {2, 40, 2}};
 
 inline std::string described(const SampledField& field) {
-  return field.name + " of " + std::to_string(field.size[0]) + "x" + std::to_string(field.size[1]) + "x" + std::to_string(field.size[2]);
+  return field.name + " of " + std::to_string(field.size[0]) + "x" + std::to_string(field.size[1]) + "x" +
+         std::to_string(field.size[2]);
 }
 
 }  // namespace isostar

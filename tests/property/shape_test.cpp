@@ -31,7 +31,8 @@ TEST(Shape, everyLevelIsClosed) {
 
 TEST(Shape, aSphereIsASphereAndATorusATorus) {
   const Size size{40, 40, 40};
-  const std::vector<std::pair<SampledField, int64_t>> fields{{sampled("sphere", size, sphere(size)), 2}, {sampled("torus", size, torus(size)), 0}};
+  const std::vector<std::pair<SampledField, int64_t>> fields{{sampled("sphere", size, sphere(size)), 2},
+                                                             {sampled("torus", size, torus(size)), 0}};
   for (const auto& [field, euler] : fields) {
     forEachLayer(encoded(field), [&, &name = field.name, &expected = euler](const Decoder& decoder) {
       if (decoder.level() < decoder.levels() - 2) return;  // coarser, the ring may be cut
@@ -79,10 +80,12 @@ Point inWorld(const Placement& p, const Point& sample) {
 TEST(Shape, normalsPointToSmallerValuesWhateverThePlacement) {
   const Size size{30, 30, 30};
   for (const Placement& placement : placements()) {
-    for (auto field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)), sampled("gyroid", size, gyroid(15))}) {
+    for (auto field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
+                       sampled("gyroid", size, gyroid(15))}) {
       field.placement = placement;
       for (const Polygonizer polygonizer : kPolygonizers) {
-        SCOPED_TRACE(field.name + ", " + named(polygonizer) + ", direction " + testing::PrintToString(placement.direction));
+        SCOPED_TRACE(field.name + ", " + named(polygonizer) + ", direction " +
+                     testing::PrintToString(placement.direction));
         EncodeOptions options;
         options.polygonizer = polygonizer;
         const Mesh mesh = decoded(encoded(field, options), {polygonizer, Frame::World, true});
@@ -100,7 +103,8 @@ TEST(Shape, aSpheresNormalsLeaveItsCentre) {
     field.placement = placement;
     const Point centre = inWorld(placement, {14.5, 13.5, 12.5});
     const Mesh mesh = decoded(encoded(field));
-    for (uint32_t i = 0; i < verticesOf(mesh); ++i) EXPECT_GT(dot(minus(pointAt(mesh.positions, i), centre), pointAt(mesh.normals, i)), 0);
+    for (uint32_t i = 0; i < verticesOf(mesh); ++i)
+      EXPECT_GT(dot(minus(pointAt(mesh.positions, i), centre), pointAt(mesh.normals, i)), 0);
   }
 }
 

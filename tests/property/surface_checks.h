@@ -15,13 +15,19 @@ using Point = std::array<double, 3>;
 inline Point pointAt(const std::vector<float>& values, uint32_t i) {
   return {values[std::size_t{i} * 3], values[std::size_t{i} * 3 + 1], values[std::size_t{i} * 3 + 2]};
 }
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Point minus(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-inline uint32_t verticesOf(const Mesh& mesh) { return static_cast<uint32_t>(mesh.positions.size() / 3); }
+inline uint32_t verticesOf(const Mesh& mesh) {
+  return static_cast<uint32_t>(mesh.positions.size() / 3);
+}
 
 /// Whole triples, finite numbers, indices of vertices, unit normals, three vertices a triangle.
 inline void expectSound(const Mesh& mesh, bool normals = true) {
@@ -66,9 +72,11 @@ inline void expectNormalsOnTheOuterSide(const Mesh& mesh, double height) {
                 c = pointAt(mesh.positions, mesh.triangles[t + 2]);
     const Point turned = cross(minus(b, a), minus(c, a));
     double longest = 0;
-    for (const Point& side : {minus(b, a), minus(c, b), minus(a, c)}) longest = std::max(longest, std::sqrt(dot(side, side)));
+    for (const Point& side : {minus(b, a), minus(c, b), minus(a, c)})
+      longest = std::max(longest, std::sqrt(dot(side, side)));
     if (std::sqrt(dot(turned, turned)) < height * longest) continue;
-    for (std::size_t i = 0; i < 3; ++i) ASSERT_GT(dot(turned, pointAt(mesh.normals, mesh.triangles[t + i])), 0) << "triangle " << t / 3;
+    for (std::size_t i = 0; i < 3; ++i)
+      ASSERT_GT(dot(turned, pointAt(mesh.normals, mesh.triangles[t + i])), 0) << "triangle " << t / 3;
   }
 }
 

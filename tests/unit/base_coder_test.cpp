@@ -28,7 +28,8 @@ std::vector<Lattice<D>> lattices() {
 
 template <class Dimension>
 class BaseCoderTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(BaseCoderTest, Dimensions);
 
 TYPED_TEST(BaseCoderTest, tellsEachSignOfEachField) {

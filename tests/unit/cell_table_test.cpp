@@ -13,10 +13,14 @@ namespace {
 using Edge = std::pair<unsigned, unsigned>;  // corner and axes
 using Segment = std::pair<Edge, Edge>;
 
-Edge keyOf(const CellEdge& e) { return {e.corner, e.axes}; }
+Edge keyOf(const CellEdge& e) {
+  return {e.corner, e.axes};
+}
 
 /// Does the edge lie in the near (far) face across an axis?
-bool liesIn(const Edge& e, unsigned axis, bool far) { return (e.second >> axis & 1) == 0 && (e.first >> axis & 1) == (far ? 1u : 0u); }
+bool liesIn(const Edge& e, unsigned axis, bool far) {
+  return (e.second >> axis & 1) == 0 && (e.first >> axis & 1) == (far ? 1u : 0u);
+}
 
 /// The segments that bound a case's surface, each in the direction of its triangle.
 std::set<Segment> outlineOf(const CellCase& shape) {
@@ -24,7 +28,8 @@ std::set<Segment> outlineOf(const CellCase& shape) {
   for (std::size_t t = 0; t < shape.triangleCount; ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Edge a = keyOf(shape.edges[shape.triangles[t][i]]), b = keyOf(shape.edges[shape.triangles[t][(i + 1) % 3]]);
-      EXPECT_TRUE(outline.erase({b, a}) == 1 || outline.insert({a, b}).second) << "an edge of two triangles in the same direction";
+      EXPECT_TRUE(outline.erase({b, a}) == 1 || outline.insert({a, b}).second)
+          << "an edge of two triangles in the same direction";
     }
   }
   return outline;
@@ -70,7 +75,8 @@ TEST(CellTable, crossesTheEdgesBetweenBothSigns) {
       std::set<Edge> crossed;
       for (unsigned corner = 0; corner < 8; ++corner) {
         for (unsigned axes : {1u, 2u, 4u}) {
-          if ((corner & axes) == 0 && (signs >> corner & 1) != (signs >> (corner | axes) & 1)) crossed.insert({corner, axes});
+          if ((corner & axes) == 0 && (signs >> corner & 1) != (signs >> (corner | axes) & 1))
+            crossed.insert({corner, axes});
         }
       }
       EXPECT_EQ(axisEdges, crossed) << "signs " << signs;
@@ -98,12 +104,15 @@ TEST(CellTable, cellsMeetInTheirCommonFace) {
       const unsigned next = polygonizer == Polygonizer::Cubes ? 0 : parity ^ 1u << axis;
       for (unsigned signs = 0; signs < 256; ++signs) {
         std::set<Segment> turned;
-        for (const auto& [a, b] : inFace(outlineOf(cellTable(polygonizer, next)[signs]), axis, false)) turned.insert({b, a});
+        for (const auto& [a, b] : inFace(outlineOf(cellTable(polygonizer, next)[signs]), axis, false))
+          turned.insert({b, a});
         const auto [at, fresh] = near.emplace(faceSigns(signs, axis, false), turned);
         EXPECT_TRUE(fresh || at->second == turned) << "a face's outline depends on more than its signs: " << signs;
       }
       for (unsigned signs = 0; signs < 256; ++signs) {
-        EXPECT_EQ(inFace(outlineOf(cellTable(polygonizer, parity)[signs]), axis, true), near[faceSigns(signs, axis, true)]) << "signs " << signs;
+        EXPECT_EQ(inFace(outlineOf(cellTable(polygonizer, parity)[signs]), axis, true),
+                  near[faceSigns(signs, axis, true)])
+            << "signs " << signs;
       }
     }
   });

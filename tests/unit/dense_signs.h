@@ -52,7 +52,8 @@ class DenseSigns {
  private:
   [[nodiscard]] std::size_t index(const Coordinates<D>& v) const {
     std::size_t at = 0;
-    for (int a = D - 1; a >= 0; --a) at = at * static_cast<std::size_t>(lattice_.last[a] + 1) + static_cast<std::size_t>(v[a]);
+    for (int a = D - 1; a >= 0; --a)
+      at = at * static_cast<std::size_t>(lattice_.last[a] + 1) + static_cast<std::size_t>(v[a]);
     return at;
   }
 

@@ -9,8 +9,10 @@ namespace isostar {
 namespace {
 
 TEST(Errors, haveTheNamesOfTheContract) {
-  const std::array errors{Error::None, Error::BadArgument, Error::NotIsostar, Error::UnsupportedVersion, Error::Truncated, Error::Corrupt, Error::OverLimit};
-  const std::array names{"None", "BadArgument", "NotIsostar", "UnsupportedVersion", "Truncated", "Corrupt", "OverLimit"};
+  const std::array errors{Error::None,      Error::BadArgument, Error::NotIsostar, Error::UnsupportedVersion,
+                          Error::Truncated, Error::Corrupt,     Error::OverLimit};
+  const std::array names{"None",      "BadArgument", "NotIsostar", "UnsupportedVersion",
+                         "Truncated", "Corrupt",     "OverLimit"};
   std::set<std::string> clauses;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     EXPECT_STREQ(name(errors[i]), names[i]);

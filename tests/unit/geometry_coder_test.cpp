@@ -26,7 +26,9 @@ struct WholeField {
     for (int a = 1; a < D; ++a, r /= kBrickSide) v[a] += static_cast<int32_t>(r % kBrickSide);
     return v;
   }
-  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return magnitudeAt(vertex(place, r, x)); }
+  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const {
+    return magnitudeAt(vertex(place, r, x));
+  }
   [[nodiscard]] int gradient(std::size_t place) const { return place % 3 == 0 ? steepest : 37; }
   [[nodiscard]] bool selected(std::size_t place) const { return place % 2 == 0; }
 
@@ -48,11 +50,12 @@ std::vector<Named<D>> wholeFields() {
     for (int32_t x : v) squares += (x - 8) * (x - 8);
     return 40 - squares;
   };
-  return {{"ball", [=](const auto& v) { return 10 * ball(v); }},
-          {"bits", [=](const auto& v) { return ball(v) > 0 ? 1 : 0; }},
-          {"noise", [](const auto& v) { return static_cast<int32_t>(scrambled<D>(v, 7) % 2001) - 1000; }},
-          {"large", [=](const auto& v) { return (ball(v) > 0 ? 1 : -1) * static_cast<int32_t>(scrambled<D>(v, 9) >> 36); }},
-          {"all scales", [=](const auto& v) { return (ball(v) > 0 ? 1 : -1) * (int32_t{1} << scrambled<D>(v, 8) % 29); }}};
+  return {
+      {"ball", [=](const auto& v) { return 10 * ball(v); }},
+      {"bits", [=](const auto& v) { return ball(v) > 0 ? 1 : 0; }},
+      {"noise", [](const auto& v) { return static_cast<int32_t>(scrambled<D>(v, 7) % 2001) - 1000; }},
+      {"large", [=](const auto& v) { return (ball(v) > 0 ? 1 : -1) * static_cast<int32_t>(scrambled<D>(v, 9) >> 36); }},
+      {"all scales", [=](const auto& v) { return (ball(v) > 0 ? 1 : -1) * (int32_t{1} << scrambled<D>(v, 8) % 29); }}};
 }
 
 /// What one side knows, and the passes told one after the other.
@@ -70,7 +73,9 @@ template <int D>
 bool equal(const Side<D>& a, const Side<D>& b) {
   for (std::size_t place = 0; place < a.active.size(); ++place) {
     if (a.scalars.has(place) != b.scalars.has(place)) return false;
-    if (a.scalars.at(place).value != b.scalars.at(place).value || a.scalars.at(place).width != b.scalars.at(place).width) return false;
+    if (a.scalars.at(place).value != b.scalars.at(place).value ||
+        a.scalars.at(place).width != b.scalars.at(place).width)
+      return false;
   }
   return true;
 }
@@ -81,13 +86,19 @@ class Telling {
  public:
   Telling(const Coordinates<D>& box, typename WholeField<D>::Value value)
       : field_(Lattice<D>(box, 1), std::move(value)),
-        signs_(DenseSigns<D>(Lattice<D>(box, 1), [&](const auto& v) { return field_.value(v) > 0; }).bricks()), mine_(signs_), theirs_(signs_) {}
+        signs_(DenseSigns<D>(Lattice<D>(box, 1), [&](const auto& v) { return field_.value(v) > 0; }).bricks()),
+        mine_(signs_),
+        theirs_(signs_) {}
 
   void octaves(Members members, int depth) {
-    pass([=](auto& ask, Side<D>& side) { side.coder.tellOctaves(ask, side.signs, side.scalars, members, depth, side.active); });
+    pass([=](auto& ask, Side<D>& side) {
+      side.coder.tellOctaves(ask, side.signs, side.scalars, members, depth, side.active);
+    });
   }
   void halving(Members members, const typename GeometryCoder<D>::Allowed& allowed, int most, bool selective) {
-    pass([=](auto& ask, Side<D>& side) { side.coder.refine(ask, side.signs, side.scalars, members, allowed, most, selective, side.active); });
+    pass([=](auto& ask, Side<D>& side) {
+      side.coder.refine(ask, side.signs, side.scalars, members, allowed, most, selective, side.active);
+    });
   }
 
   void steepen(int gradient) { field_.steepest = gradient; }
@@ -99,7 +110,9 @@ class Telling {
     for (std::size_t place = 0; place < theirs_.active.size(); ++place) {
       if (theirs_.active[place] == 0) continue;
       tube.enter(signs_, place, members);
-      tube.forEach([&](int, std::size_t r, int x) { visit(field_.vertex(place, r, x), theirs_.scalars.at(place), r * kBrickSide + static_cast<std::size_t>(x)); });
+      tube.forEach([&](int, std::size_t r, int x) {
+        visit(field_.vertex(place, r, x), theirs_.scalars.at(place), r * kBrickSide + static_cast<std::size_t>(x));
+      });
     }
   }
 
@@ -243,8 +256,12 @@ TYPED_TEST(GeometryCoderTest, randomAnswersAreAlwaysSomeScalars) {
     const auto signs = DenseSigns<D>(Lattice<D>(box<D>(), 1), signFields<D>(box<D>())[seed % 6].positive).bricks();
     Side<D> mine(signs), theirs(signs);
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      auto octaves = [&](auto& ask, Side<D>& side) { side.coder.tellOctaves(ask, signs, side.scalars, members, depth, side.active); };
-      auto halving = [&](auto& ask, Side<D>& side) { side.coder.refine(ask, signs, side.scalars, members, alike<D>(seed * 100), 30, seed % 2 == 0, side.active); };
+      auto octaves = [&](auto& ask, Side<D>& side) {
+        side.coder.tellOctaves(ask, signs, side.scalars, members, depth, side.active);
+      };
+      auto halving = [&](auto& ask, Side<D>& side) {
+        side.coder.refine(ask, signs, side.scalars, members, alike<D>(seed * 100), 30, seed % 2 == 0, side.active);
+      };
       const auto first = thrown<D>(seed, rate, [&](auto& ask) { octaves(ask, mine); });
       ASSERT_TRUE(heard<D>(first, [&](auto& ask) { octaves(ask, theirs); }));
       ASSERT_TRUE(equal(mine, theirs)) << "seed " << seed;

@@ -23,7 +23,8 @@ TEST(Lattice, planesAreMultiplesOfTheStepAndTheBoxesEnd) {
     std::set<int32_t> expected{lattice.box[0]};
     for (int32_t s = 0; s < lattice.box[0]; s += lattice.step) expected.insert(s);
     std::set<int32_t> found;
-    for (int32_t plane = 0; plane <= lattice.last[0]; ++plane) EXPECT_TRUE(found.insert(lattice.sample(0, plane)).second) << "plane " << plane;
+    for (int32_t plane = 0; plane <= lattice.last[0]; ++plane)
+      EXPECT_TRUE(found.insert(lattice.sample(0, plane)).second) << "plane " << plane;
     EXPECT_EQ(found, expected);
     EXPECT_EQ(lattice.vertices(), expected.size());
   });

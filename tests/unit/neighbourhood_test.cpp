@@ -12,7 +12,8 @@ namespace {
 
 template <class Dimension>
 class NeighbourhoodTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(NeighbourhoodTest, Dimensions);
 
 /// The offset of a vertex that a step stands for; it is unique within two planes.
@@ -33,7 +34,8 @@ Coordinates<D> offset(const Step& step) {
 template <int D>
 std::set<Coordinates<D>> offsets(const std::array<Step, Neighbourhood<D>::kMost>& steps, int from, int count) {
   std::set<Coordinates<D>> all;
-  for (int i = from; i < from + count; ++i) EXPECT_TRUE(all.insert(offset<D>(steps[static_cast<std::size_t>(i)])).second);
+  for (int i = from; i < from + count; ++i)
+    EXPECT_TRUE(all.insert(offset<D>(steps[static_cast<std::size_t>(i)])).second);
   return all;
 }
 
@@ -80,7 +82,8 @@ TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndCameBefore) {
     const Neighbourhood<D> n(fresh);
     for (const auto& d : offsets<D>(n.siblings, 0, n.siblingCount)) {
       EXPECT_EQ(classOf<D>(fresh, d), __builtin_popcount(fresh));
-      EXPECT_TRUE(std::lexicographical_compare(d.rbegin(), d.rend(), Coordinates<D>{}.rbegin(), Coordinates<D>{}.rend()));
+      EXPECT_TRUE(
+          std::lexicographical_compare(d.rbegin(), d.rend(), Coordinates<D>{}.rbegin(), Coordinates<D>{}.rend()));
     }
   }
 }
@@ -99,7 +102,6 @@ TYPED_TEST(NeighbourhoodTest, listsDoNotOverlapAndStayInTheWindow) {
     }
   }
 }
-
 
 TYPED_TEST(NeighbourhoodTest, diamondIsWhatTheSplitEdgeSees) {
   constexpr int D = TypeParam::value;

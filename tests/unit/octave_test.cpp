@@ -18,7 +18,8 @@ void expectRefined(const Coordinates<D>& box) {
       forVertices(fine.lattice(), [&](const Coordinates<D>& v) {
         Coordinates<D> parent;
         for (int a = 0; a < D; ++a) parent[a] = fine.lattice().parent(a, v[a]);
-        EXPECT_EQ(fine.at(v), coarse.at(parent)) << field.name << " at " << testing::PrintToString(v) << ", step " << step;
+        EXPECT_EQ(fine.at(v), coarse.at(parent))
+            << field.name << " at " << testing::PrintToString(v) << ", step " << step;
       });
     }
   }
@@ -33,8 +34,8 @@ TEST(Octave, refinedHasTheParentsSigns) {
   expectRefined<4>({9, 4, 17, 3});
 }
 
-
-/// Of the vertices as bricks keep them, also beyond the lattice: does the brick hold both signs, or touch a vertex of a sign that it lacks?
+/// Of the vertices as bricks keep them, also beyond the lattice: does the brick hold both signs, or touch a vertex of a
+/// sign that it lacks?
 template <int D>
 bool activeByForce(const Signs<D>& signs, const Coordinates<D>& brick) {
   bool positive = false, negative = false;
@@ -71,7 +72,8 @@ void expectActive(const Coordinates<D>& box) {
     const auto active = activeBricks(shared);
     ASSERT_EQ(active.size(), shared.table().total());
     for (std::size_t place = 0; place < active.size(); ++place) {
-      EXPECT_EQ(active[place] != 0, activeByForce<D>(shared, shared.table().brick(place))) << field.name << ", brick " << place;
+      EXPECT_EQ(active[place] != 0, activeByForce<D>(shared, shared.table().brick(place)))
+          << field.name << ", brick " << place;
       EXPECT_LE(active[place], 1);
     }
   }
@@ -98,7 +100,8 @@ TEST(Octave, eachPairOfUniformBricks) {
       signs.setUniform(a, Signs<2>::kPositive);
       signs.setUniform(b, Signs<2>::kPositive);
       const auto active = activeBricks(signs);
-      for (std::size_t place = 0; place < 36; ++place) ASSERT_EQ(active[place] != 0, activeByForce<2>(signs, signs.table().brick(place))) << a << ' ' << b;
+      for (std::size_t place = 0; place < 36; ++place)
+        ASSERT_EQ(active[place] != 0, activeByForce<2>(signs, signs.table().brick(place))) << a << ' ' << b;
     }
   }
 }

@@ -36,7 +36,8 @@ void expectRoundTrip(const Decisions& decisions) {
     ASSERT_EQ(decoder.bit(!decisions[i].truth, decisions[i].chance), decisions[i].truth) << "decision " << i;
   }
   EXPECT_LE(decoder.overrun(), 8u);
-  EXPECT_LE(static_cast<double>(bytes.size()), metered(decisions) / 8 + 4 + static_cast<double>(decisions.size()) * 2e-5);
+  EXPECT_LE(static_cast<double>(bytes.size()),
+            metered(decisions) / 8 + 4 + static_cast<double>(decisions.size()) * 2e-5);
 }
 
 /// Decisions of a source whose chances are drawn by `chance` and come true that often.
@@ -53,11 +54,13 @@ Decisions drawn(std::size_t count, uint64_t seed, DrawChance chance) {
 
 TEST(RangeCoder, anyChances) {
   const uint32_t span = kChanceOne - 2 * kLeastChance + 1;
-  for (uint64_t seed = 0; seed < 20; ++seed) expectRoundTrip(drawn(5000, seed, [&](auto& r) { return kLeastChance + r() % span; }));
+  for (uint64_t seed = 0; seed < 20; ++seed)
+    expectRoundTrip(drawn(5000, seed, [&](auto& r) { return kLeastChance + r() % span; }));
 }
 
 TEST(RangeCoder, eachFixedChance) {
-  for (uint32_t chance : {kLeastChance, 100u, 1000u, kChanceOne / 3, kChanceOne / 2, kChanceOne - 1000, kChanceOne - kLeastChance}) {
+  for (uint32_t chance :
+       {kLeastChance, 100u, 1000u, kChanceOne / 3, kChanceOne / 2, kChanceOne - 1000, kChanceOne - kLeastChance}) {
     expectRoundTrip(drawn(20000, chance, [&](auto&) { return chance; }));
   }
 }
@@ -75,7 +78,8 @@ TEST(RangeCoder, expectationsThatHoldEachTimeCostNearlyNothing) {
   }
 }
 
-/// Decisions after which the interval still holds one half in its inside: all bytes written so far may yet change by a carry.
+/// Decisions after which the interval still holds one half in its inside: all bytes written so far may yet change by a
+/// carry.
 class OnTheFence {
  public:
   explicit OnTheFence(uint64_t seed) : random_(seed) {}
@@ -154,7 +158,8 @@ TEST(RangeCoder, trailingZerosAreLeftOut) {
 }
 
 TEST(RangeCoder, runsStandBehindOneAnother) {
-  const auto a = drawn(1000, 1, [](auto& r) { return 1000 + r() % 60000; }), b = drawn(1000, 2, [](auto& r) { return 1000 + r() % 60000; });
+  const auto a = drawn(1000, 1, [](auto&r) { return 1000 + r() % 60000; }),
+             b = drawn(1000, 2, [](auto&r) { return 1000 + r() % 60000; });
   std::vector<std::byte> out = encoded(a);
   const std::size_t end = out.size();
   RangeEncoder encoder(out);
@@ -180,7 +185,8 @@ TEST(RangeCoder, anyBytesDecode) {
     std::vector<std::byte> noise(random() % 64);
     for (auto& b : noise) b = static_cast<std::byte>(random());
     RangeDecoder decoder(noise);
-    for (int i = 0; i < 2000; ++i) (void)decoder.bit(false, static_cast<uint32_t>(kLeastChance + random() % (kChanceOne - 2 * kLeastChance + 1)));
+    for (int i = 0; i < 2000; ++i)
+      (void)decoder.bit(false, static_cast<uint32_t>(kLeastChance + random() % (kChanceOne - 2 * kLeastChance + 1)));
   }
 }
 

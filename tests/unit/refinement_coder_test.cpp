@@ -17,7 +17,8 @@ std::vector<Coordinates<D>> boxes() {
 
 template <class Dimension>
 class RefinementCoderTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(RefinementCoderTest, Dimensions);
 
 /// One side of the hierarchy.
@@ -99,7 +100,8 @@ TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
   const Coordinates<3> box{63, 63, 63};
   auto field = [](const Coordinates<3>& v) {
     if (v[2] < 4) return true;
-    return v == Coordinates<3>{33, 33, 33} || v == Coordinates<3>{51, 19, 40} || v == Coordinates<3>{62, 63, 63} || v == Coordinates<3>{9, 56, 32};
+    return v == Coordinates<3>{33, 33, 33} || v == Coordinates<3>{51, 19, 40} || v == Coordinates<3>{62, 63, 63} ||
+           v == Coordinates<3>{9, 56, 32};
   };
   const DenseSigns<3> truth(Lattice<3>(box, 1), field);
   Side<3> mine{DenseSigns<3>(Lattice<3>(box, 2), field).bricks()};

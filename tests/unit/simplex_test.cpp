@@ -32,7 +32,8 @@ std::set<Coordinates<D>> faceOf(const Simplex<D>& s, int opposite) {
 
 template <class Dimension>
 class SimplexTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(SimplexTest, Dimensions);
 
 TYPED_TEST(SimplexTest, numberAndPlaceAreInverse) {

@@ -36,7 +36,8 @@ template <int D, class Tell>
   return !ask.spent();
 }
 
-/// An encoder that answers at random: whatever a valid stream may say. `rate` of 1: as the models expect; else so often yes.
+/// An encoder that answers at random: whatever a valid stream may say. `rate` of 1: as the models expect; else so often
+/// yes.
 class Dice {
  public:
   Dice(std::vector<std::byte>& out, uint64_t seed, double rate) : encoder_(out), random_(seed), rate_(rate) {}
@@ -64,7 +65,9 @@ std::vector<std::byte> thrown(uint64_t seed, double rate, Tell tell) {
     [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
     [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
-    [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const { return std::nullopt; }
+    [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const {
+      return std::nullopt;
+    }
   };
   Blind ask(dice, nothing, none);
   tell(ask);

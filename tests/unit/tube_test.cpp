@@ -32,7 +32,8 @@ Classes<D> byForce(const DenseSigns<D>& signs) {
     const auto simplex = Simplex<D>::at(n, lattice);
     for (int i = 0; i <= D; ++i) {
       for (int j = 0; j < i; ++j) {
-        if (signs.at(simplex.vertex(i)) != signs.at(simplex.vertex(j))) all.insert({simplex.vertex(i), simplex.vertex(j)});
+        if (signs.at(simplex.vertex(i)) != signs.at(simplex.vertex(j)))
+          all.insert({simplex.vertex(i), simplex.vertex(j)});
       }
     }
   }
@@ -54,7 +55,8 @@ std::set<Coordinates<D>> found(const Signs<D>& signs, Members members) {
       Coordinates<D> v;
       v[0] = tube.at()[0] * kBrickSide + x;
       std::size_t digits = r;
-      for (int a = 1; a < D; ++a, digits /= kBrickSide) v[a] = tube.at()[a] * kBrickSide + static_cast<int32_t>(digits % kBrickSide);
+      for (int a = 1; a < D; ++a, digits /= kBrickSide)
+        v[a] = tube.at()[a] * kBrickSide + static_cast<int32_t>(digits % kBrickSide);
       EXPECT_TRUE(result.insert(v).second);
       EXPECT_EQ(tube.positive(row, x), signs.at(v));
       unsigned odd = 0;

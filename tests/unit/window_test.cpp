@@ -23,7 +23,8 @@ void expectWindow(const DenseSigns<D>& dense, const Window<D>& window, const Coo
     }
     if (looked) {
       const bool found = (window.rows[static_cast<std::size_t>(Window<D>::row(d))] >> (d[0] + kHalo) & 1) != 0;
-      ASSERT_EQ(found, dense.mirroredAt(v)) << testing::PrintToString(v) << " in brick " << testing::PrintToString(brick);
+      ASSERT_EQ(found, dense.mirroredAt(v))
+          << testing::PrintToString(v) << " in brick " << testing::PrintToString(brick);
     }
     for (int a = 0; a < D && ++d[a] == kBrickSide + kHalo; ++a) d[a] = -kHalo;
   }
