@@ -140,7 +140,7 @@ double SourceDistance::rms(const Signs<3>& signs, const Scalars<3>& scalars, con
   const Scalars<3>& known = told ? scalars : estimated;
   const bool fine = step == 1;
   const uint64_t every = fine ? 1 : countCrossings(signs, bricks) / kCoarseSamples + 1;
-  const std::size_t stride = fine ? static_cast<std::size_t>(std::ranges::count(bricks, 1)) / kFineBricks + 1 : 1;
+  const std::size_t stride = fine ? static_cast<std::size_t>(std::count(bricks.begin(), bricks.end(), 1)) / kFineBricks + 1 : 1;
   ScalarWindow<3> window;
   std::size_t entered = 0;
   bool loaded = false;
