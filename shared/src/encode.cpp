@@ -24,7 +24,7 @@ Header makeHeader(const Volume& volume, const EncodeOptions& options) {
 /// Tells layers one after the other.
 class LayerWriter {
  public:
-  LayerWriter(const VolumeField& field, const Header& header, const EncodeOptions& options)
+  LayerWriter(const GridField<3>& field, const Header& header, const EncodeOptions& options)
       : field_(field), header_(header), options_(options), quantized_(field, header), distance_(field, header), known_(header) {}
 
   void signs(const Signs<3>& finest) {
@@ -59,7 +59,7 @@ class LayerWriter {
       pass->write(fields);
     }
     RangeEncoder coder(layer);
-    TruthExchange<3, RangeEncoder, QuantizedField> ask(coder, truth, quantized_);
+    TruthExchange<3, RangeEncoder, QuantizedField<3>> ask(coder, truth, quantized_);
     what(ask);
     coder.finish();
     head.error = distance_.rms(known_.signs, known_.scalars, known_.active);
@@ -71,11 +71,11 @@ class LayerWriter {
     ++layers_;
   }
 
-  const VolumeField& field_;
+  const GridField<3>& field_;
   const Header& header_;
   const EncodeOptions& options_;
-  QuantizedField quantized_;
-  SourceDistance distance_;
+  QuantizedField<3> quantized_;
+  SourceDistance<3> distance_;
   Knowledge known_;
   std::vector<std::byte> bytes_;
   uint32_t layers_ = 0;
@@ -135,8 +135,8 @@ void tellGeometry(LayerWriter& layers, const Header& header) {
 
 Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out) {
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
-  if (!bounded || !sensible(volume, options.isovalue)) return Error::BadArgument;
-  const VolumeField field(volume, options.isovalue);
+  if (!bounded || !invertible(volume.placement) || !sensible<3>(volume.samples, volume.size, options.isovalue)) return Error::BadArgument;
+  const GridField<3> field(volume.samples, volume.size, options.isovalue);
   Header header = makeHeader(volume, options);
   const auto finest = field.signs(1);
   field.quantize(header, finest);

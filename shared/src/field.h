@@ -9,25 +9,32 @@
 
 namespace isostar {
 
-/// Is there a surface to ask for? As many samples as the size says, all finite, and a placement with an inverse.
-[[nodiscard]] bool sensible(const Volume& volume, double isovalue);
+/// Is there a surface to ask for? As many samples as the size says, and all finite.
+template <int D>
+[[nodiscard]] bool sensible(std::span<const float> samples, const Coordinates<D>& size, double isovalue);
 
-class VolumeField {
+/// Samples on a regular grid, x fastest, borrowed.
+template <int D>
+class GridField {
  public:
-  VolumeField(const Volume& volume, double isovalue) : samples_(volume.samples), isovalue_(isovalue) {
-    for (int a = 0; a < 3; ++a) last_[a] = volume.size[a] - 1;
-    stride_ = {1, static_cast<std::size_t>(volume.size[0]), static_cast<std::size_t>(volume.size[0]) * static_cast<std::size_t>(volume.size[1])};
-    table_ = BrickTable<3>(Lattice<3>(last_, 1));
+  GridField(std::span<const float> samples, const Coordinates<D>& size, double isovalue) : samples_(samples), isovalue_(isovalue) {
+    std::size_t stride = 1;
+    for (int a = 0; a < D; ++a) {
+      last_[a] = size[a] - 1;
+      stride_[a] = stride;
+      stride *= static_cast<std::size_t>(size[a]);
+    }
+    table_ = BrickTable<D>(Lattice<D>(last_, 1));
   }
 
-  [[nodiscard]] double scalar(const Coordinates<3>& sample) const { return double{samples_[at(sample)]} - isovalue_; }
-  [[nodiscard]] const Coordinates<3>& last() const { return last_; }
+  [[nodiscard]] double scalar(const Coordinates<D>& sample) const { return double{samples_[at(sample)]} - isovalue_; }
+  [[nodiscard]] const Coordinates<D>& last() const { return last_; }
 
   /// Signs on the octave whose planes lie `step` samples apart.
-  [[nodiscard]] Signs<3> signs(int32_t step) const;
+  [[nodiscard]] Signs<D> signs(int32_t step) const;
 
   /// Fixes what a quantum is, for |scalars| up to the largest at the end of a crossing edge of the RBMT.
-  void quantize(Header& header, const Signs<3>& signs) const;
+  void quantize(Header& header, const Signs<D>& signs) const;
 
   /// In quanta of a header.
   [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const;
@@ -35,30 +42,40 @@ class VolumeField {
   [[nodiscard]] int gradient(const Header& header, std::size_t place) const;
 
  private:
-  [[nodiscard]] std::size_t at(const Coordinates<3>& v) const {
-    return static_cast<std::size_t>(v[0]) + static_cast<std::size_t>(v[1]) * stride_[1] + static_cast<std::size_t>(v[2]) * stride_[2];
+  [[nodiscard]] std::size_t at(const Coordinates<D>& v) const {
+    std::size_t sum = static_cast<std::size_t>(v[0]);
+    for (int a = 1; a < D; ++a) sum += static_cast<std::size_t>(v[a]) * stride_[a];
+    return sum;
+  }
+  /// Vertex x = 0 of a row of a brick.
+  [[nodiscard]] static Coordinates<D> vertex(const Coordinates<D>& brick, std::size_t r) {
+    Coordinates<D> v;
+    v[0] = brick[0] * kBrickSide;
+    for (int a = 1; a < D; ++a, r /= kBrickSide) v[a] = brick[a] * kBrickSide + static_cast<int32_t>(r % kBrickSide);
+    return v;
   }
 
   std::span<const float> samples_;
   double isovalue_;
-  Coordinates<3> last_{};
-  std::array<std::size_t, 3> stride_{};
-  BrickTable<3> table_;
+  Coordinates<D> last_{};
+  std::array<std::size_t, D> stride_{};
+  BrickTable<D> table_;
   // The brick that magnitude() was asked of last, and its first sample: bricks are asked one after the other.
   mutable std::size_t lastPlace_ = SIZE_MAX, lastStart_ = 0;
 };
 
 /// A field's scalars as the quanta of one stream, and the bricks selected for a pass, by place.
+template <int D>
 class QuantizedField {
  public:
-  QuantizedField(const VolumeField& field, const Header& header) : field_(field), header_(header) {}
+  QuantizedField(const GridField<D>& field, const Header& header) : field_(field), header_(header) {}
   void select(std::vector<uint8_t> places) { selected_ = std::move(places); }
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(header_, place, r, x); }
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, place); }
   [[nodiscard]] bool selected(std::size_t place) const { return selected_[place] != 0; }
 
  private:
-  const VolumeField& field_;
+  const GridField<D>& field_;
   const Header& header_;
   std::vector<uint8_t> selected_;
 };

@@ -7,8 +7,8 @@
 namespace isostar {
 
 Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
-  if (!sensible(volume, isovalue)) return Error::BadArgument;
-  const VolumeField field(volume, isovalue);
+  if (!invertible(volume.placement) || !sensible<3>(volume.samples, volume.size, isovalue)) return Error::BadArgument;
+  const GridField<3> field(volume.samples, volume.size, isovalue);
   const auto signs = field.signs(1);
   Header header;
   header.isovalue = isovalue;

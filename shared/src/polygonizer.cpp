@@ -136,7 +136,7 @@ class Polygonization {
   }
 
   void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned r, unsigned x, uint32_t id) {
-    const EdgeEnds ends(brick, r, x, axes);
+    const EdgeEnds<3> ends(brick, r, x, axes);
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
@@ -153,7 +153,7 @@ class Polygonization {
   }
 
   /// The field's difference along an axis across an edge, from the neighbours of its ends whose scalars are known.
-  [[nodiscard]] double across(const EdgeEnds& ends, double t, int axis) const {
+  [[nodiscard]] double across(const EdgeEnds<3>& ends, double t, int axis) const {
     const int step = ScalarWindow<3>::stride(axis);
     double sum = 0, weight = 0;
     auto add = [&](int at, double share, bool ahead) {

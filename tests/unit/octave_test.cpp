@@ -58,7 +58,7 @@ template <int D>
 void expectActive(const Coordinates<D>& box) {
   SCOPED_TRACE(testing::PrintToString(box));
   for (const auto& field : signFields<D>(box)) {
-    // Beyond the lattice the field goes on, as VolumeField has it.
+    // Beyond the lattice the field goes on, as GridField has it.
     Coordinates<D> whole;
     for (int a = 0; a < D; ++a) whole[a] = box[a] | (kBrickSide - 1);
     Signs<D> signs{Lattice<D>(box, 1)};
