@@ -6,19 +6,20 @@
 #include "cli/choices.h"
 #include "cli/commands.h"
 #include "cli/progress_bar.h"
+#include "cli/source.h"
 #include "cli/words.h"
 #include "cli/work_report.h"
 #include "files/failure.h"
 #include "files/output_file.h"
 #include "files/text.h"
+#include "model/model_volume.h"
 #include "volume/placement.h"
-#include "volume/read_volume.h"
 
 namespace isostar::native {
 namespace {
 
 struct Arguments {
-  VolumeRequest volume;
+  SourceRequest source;
   std::string output;
   EncodeOptions options;
   Units units = Units::Grid;
@@ -50,8 +51,8 @@ double boundInUnits(const Arguments& arguments, const Placement& placement) {
 }
 
 std::string closingLine(const Arguments& arguments, const StreamInfo& info) {
-  const uint64_t before = sourceBytes(arguments.volume.path);
-  const std::string source = arguments.volume.path + (before ? " " + readableBytes(before) : "");
+  const uint64_t before = sourceBytes(arguments.source.volume.path);
+  const std::string source = arguments.source.volume.path + (before ? " " + readableBytes(before) : "");
   const std::string error = info.lossless ? "lossless"
                                           : text("error at most %g %s", boundInUnits(arguments, info.placement),
                                                  arguments.units == Units::World ? "world units" : "grid steps");
@@ -71,7 +72,7 @@ void printReport(const Arguments& arguments, const LoadedVolume& volume, const S
   Mesh mesh;
   const MeshOptions options{arguments.options.polygonizer, Frame::Grid, false};
   if (const Error error = polygonize(volume.view(), arguments.options.isovalue, options, mesh); error != Error::None)
-    throw Failure(arguments.volume.path, describe(error));
+    throw Failure(arguments.source.volume.path, describe(error));
   report.polygonize = polygonizing.milliseconds();
   report.vertices = mesh.positions.size() / 3;
   report.triangles = mesh.triangles.size() / 3;
@@ -89,23 +90,23 @@ std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions o
 }
 
 void run(Arguments& arguments) {
-  if (arguments.volume.size.has_value() != arguments.volume.type.has_value())
-    throw UsageFault("a raw volume needs both --size and --type");
+  requireSense(arguments.source);
+  arguments.options.isovalue = isovalueOf(arguments.source);
   if (arguments.json && arguments.output == "-") throw UsageFault("--json and the stream cannot share standard output");
-  requireDifferent(arguments.volume.path, arguments.output);
+  requireDifferent(arguments.source.volume.path, arguments.output);
   requireWritable(arguments.output);
 
   WorkReport report{.work = "encode"};
   const Stopwatch reading;
-  const LoadedVolume volume = readVolume(arguments.volume);
+  const LoadedVolume volume = readSource(arguments.source);
   report.io = reading.milliseconds();
-  for (const std::string& remark : volume.remarks) warn(arguments.volume.path + ": " + remark);
+  for (const std::string& remark : volume.remarks) warn(arguments.source.volume.path + ": " + remark);
 
   EncodeOptions options = arguments.options;
   if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);
   arguments.options = options;
   const Stopwatch encoding;
-  const std::vector<std::byte> stream = encodeWithBar(volume, options, arguments.volume.path);
+  const std::vector<std::byte> stream = encodeWithBar(volume, options, arguments.source.volume.path);
   report.codec = encoding.milliseconds();
 
   const Stopwatch writing;
@@ -122,19 +123,24 @@ void run(Arguments& arguments) {
 }  // namespace
 
 void addEncode(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("encode", "Compress the isosurface of a volume");
+  CLI::App& command = *app.add_subcommand("encode", "Compress the isosurface of a volume, or a closed mesh");
   const auto arguments = std::make_shared<Arguments>();
   EncodeOptions& options = arguments->options;
+  VolumeRequest& volume = arguments->source.volume;
   command
-      .add_option("volume", arguments->volume.path,
-                  "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, or raw samples")
+      .add_option(
+          "volume", volume.path,
+          "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, raw samples, or a closed mesh "
+          "(.ply, .obj, .stl), whose field is the distance to it in grid steps, positive inside, up to 4")
       ->required();
   command.add_option("output", arguments->output, "The stream to write, OUT.isostar; - for standard output")
       ->required();
-  command.add_option("--iso", options.isovalue, "The isovalue; samples above it are inside")
-      ->required()
-      ->check(kFinite)
-      ->default_str("");
+  command.add_option("--iso", arguments->source.isovalue, "The isovalue; samples above it are inside; 0 for a mesh")
+      ->check(kFinite);
+  command
+      .add_option("--grid", arguments->source.grid,
+                  text("Samples along the longest axis, for a mesh [default: %d]", kModelGrid))
+      ->check(CLI::Range(kSmallestModelGrid, kLargestModelGrid));
   auto* bound = command
                     .add_option("--max-error", options.maxError,
                                 "Farthest that the decoded surface and the source's may be apart")
@@ -142,9 +148,9 @@ void addEncode(CLI::App& app) {
   command.add_flag("--lossless", options.lossless, "Keep the polygonizer's own surface of the source")->excludes(bound);
   addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
   addUnits(command, arguments->units, "What lengths count: steps of the grid's smallest spacing, or the world's unit");
-  addSize(command, arguments->volume.size, "Samples along each axis of a raw volume, x fastest, little endian");
-  addSampleType(command, arguments->volume.type, "Sample type of a raw volume");
-  addSpacing(command, arguments->volume.spacing, "Distance of samples, overruling the file's");
+  addSize(command, volume.size, "Samples along each axis of a raw volume, x fastest, little endian");
+  addSampleType(command, volume.type, "Sample type of a raw volume");
+  addSpacing(command, volume.spacing, "Distance of samples, overruling the file's");
   command.add_flag("--json", arguments->json, "Print sizes and times to standard output");
   command.callback([arguments] { run(*arguments); });
 }

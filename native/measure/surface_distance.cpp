@@ -1,12 +1,11 @@
 #include "measure/surface_distance.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <thread>
 #include <vector>
+
+#include "measure/in_parallel.h"
 
 namespace isostar::measure {
 namespace {
@@ -41,17 +40,6 @@ struct Sums {
     count += other.count;
   }
 };
-
-void inParallel(size_t tasks, const std::function<void(size_t)>& work) {
-  std::atomic<size_t> next{0};
-  const auto worker = [&] {
-    for (size_t task; (task = next++) < tasks;) work(task);
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::max(2u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(worker);
-  worker();
-  for (std::thread& thread : threads) thread.join();
-}
 
 /// The area of all triangles before each one in the tree's order, and of all.
 std::vector<double> areasBefore(const TriangleTree& tree) {

@@ -157,6 +157,50 @@ TEST_F(CommandLine, refusesFilesItCannotReadOrWrite) {
   EXPECT_FALSE(read(volume).empty());
 }
 
+TEST_F(CommandLine, encodesAClosedMesh) {
+  const Mesh model = torus(30, 3, 1);
+  for (const std::string name : {"model.ply", "model.obj", "model.stl"}) {
+    writeMesh(model, path(name));
+    const Outcome encoded = run({"encode", name, "model.isostar", "--grid", "65"});
+    ASSERT_EQ(encoded.status, 0) << encoded.words;
+    EXPECT_EQ(std::count(encoded.words.begin(), encoded.words.end(), '\n'), 1) << encoded.words;
+    const Outcome compared = run({"compare", "model.isostar", name, "--json"});
+    const auto report = nlohmann::json::parse(compared.results);
+    EXPECT_LT(report["symmetric"]["max"].get<double>(), 0.3) << compared.results;
+  }
+  const Outcome info = run({"info", "model.isostar", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(info.results)["size"], (std::vector<int>{65, 65, 23}));
+}
+
+TEST_F(CommandLine, refusesMeshesWithoutASurface) {
+  write("empty.obj", "v 0 0 0\n");
+  EXPECT_NE(expectFault(1, {"encode", "empty.obj", "a.isostar"}).find("empty.obj: has no triangles"),
+            std::string::npos);
+  write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 1\nf 1 2 3\n");
+  EXPECT_NE(expectFault(1, {"encode", "nan.obj", "a.isostar"}).find("nan.obj: "), std::string::npos);
+  writeMesh(torus(9, 3, 1), path("model.ply"));
+  for (const std::vector<std::string>& bad :
+       std::vector<std::vector<std::string>>{{"model.ply", "a.isostar", "--grid", "3"},
+                                             {"model.ply", "a.isostar", "--grid", "many"},
+                                             {"model.ply", "a.isostar", "--spacing", "1,1,1"},
+                                             {ball(), "a.isostar", "--iso", "0", "--grid", "65"}}) {
+    std::vector<std::string> line = {"encode"};
+    line.insert(line.end(), bad.begin(), bad.end());
+    expectFault(2, line);
+  }
+}
+
+TEST_F(CommandLine, tellsThatAMeshIsNotClosed) {
+  Mesh open = torus(30, 3, 1);
+  open.triangles.resize(open.triangles.size() - 3);
+  writeMesh(open, path("open.ply"));
+  const Outcome outcome = run({"encode", "open.ply", "open.isostar", "--grid", "33"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.words.find("open.ply: not closed: 3 boundary edges; inside is where most rays say so\n"),
+            std::string::npos)
+      << outcome.words;
+}
+
 TEST_F(CommandLine, leavesAnOldOutputAloneWhereItFails) {
   ball();
   write("cut.nrrd", read("ball.nrrd").substr(0, 5000));

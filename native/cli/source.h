@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "volume/read_volume.h"
+
+namespace isostar::native {
+
+/// What `encode` is told of its input.
+struct SourceRequest {
+  VolumeRequest volume;
+  std::optional<int> grid{};  // samples along the longest axis; for meshes, which have no grid of their own
+  std::optional<double> isovalue{};
+};
+
+/// Refuses what does not go together: a raw volume's size without its type, --grid for what has a grid, no --iso.
+void requireSense(const SourceRequest&);
+
+/// The isovalue asked for; for a closed mesh it need not be, its surface is at 0.
+double isovalueOf(const SourceRequest&);
+
+/// The file as samples on a grid, with a progress bar where these must be made first. Fails with one line.
+LoadedVolume readSource(const SourceRequest&);
+
+}  // namespace isostar::native
