@@ -26,6 +26,23 @@ if [ ${#missing[@]} -gt 0 ]; then
   DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 
+# VTK reads tetrahedral meshes and images. Its -dev package depends on 770 MB that reading does not need: the libraries are
+# installed (160 MB), the headers alone unpacked beside the build.
+if ! compgen -G 'build/vtk/usr/include/vtk-*' >/dev/null && ! compgen -G '/usr/include/vtk-*' >/dev/null; then
+  [ -n "$(apt-cache madison libvtk9-dev)" ] || apt-get update -qq
+  library=$(apt-cache depends libvtk9-dev | sed -n 's/^ *Depends: \(libvtk9\.[0-9][0-9a-z]*\)$/\1/p')
+  if ! isInstalled "$library"; then
+    if [ "$(id -u)" != 0 ]; then
+      echo "setup: not root; run: apt-get install --no-install-recommends $library" >&2
+      exit 1
+    fi
+    echo "setup: installing $library"
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$library" >/dev/null
+  fi
+  mkdir -p build/vtk
+  (cd build/vtk && apt-get -o APT::Sandbox::User=root download -qq libvtk9-dev && dpkg -x libvtk9-dev_*.deb . && rm libvtk9-dev_*.deb)
+fi
+
 node -e '
   const [major, minor] = process.versions.node.split(".").map(Number);
   if (major < 20 || (major === 20 && minor < 19)) {

@@ -7,9 +7,8 @@
 
 namespace isostar::native {
 
-/// Reads a volume in a child process. The libraries for foreign formats assert, crash and print on damaged files, and a
-/// stranger's file must not take the command down: a child that dies becomes a Failure naming `path`, and what it
-/// prints is not shown.
+/// Reads a volume in a child process, for the reasons of runInChild(): a reader that dies becomes a Failure naming
+/// `path`.
 LoadedVolume readInChild(const std::string& path, const std::function<LoadedVolume()>& read);
 
 }  // namespace isostar::native
