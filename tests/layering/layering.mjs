@@ -11,7 +11,7 @@ const PARTS = {
   lanes: ['lanes.h'],
   coder: ['range_coder.h', 'models.h'],
   hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'neighbourhood.h', 'shape_estimate.h', 'tube.h'],
-  rbmt: ['diamond.h', 'tagged_simplex.h', 'rbmt.h', 'leaves.h'],
+  rbmt: ['diamond.h', 'tagged_simplex.h', 'rbmt.h', 'leaves.h', 'decomposition.h', 'linear_function.h', 'criteria.h', 'topology.h'],
   scalars: ['reciprocal.h', 'scalars.h', 'scalar_window.h', 'interpolation.h', 'prediction.h', 'completion.h'],
   exchange: ['exchange.h'],
   traversal: ['base_coder.h', 'refinement_coder.h', 'geometry_coder.h'],

@@ -1,0 +1,164 @@
+// Welds that topology.h lets pass leave the isosurface's topology alone (§4.3), and careless ones do not.
+#include "criteria.h"
+#include "decomposition.h"
+#include "rbmt_checks.h"
+#include "sampled_shapes.h"
+#include "surface_invariants.h"
+#include "topology.h"
+
+namespace isostar {
+namespace {
+
+template <class Dimension>
+class WeldTopologyTest : public testing::Test {};
+using Dimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+TYPED_TEST_SUITE(WeldTopologyTest, Dimensions);
+
+/// Signs by position: what a field has.
+template <int D>
+struct Noise {
+  const Hierarchy<D>* hierarchy;
+  uint64_t seed;
+  unsigned positiveOfEight = 4;
+  bool operator()(const Coordinates<D>& v) const {
+    uint64_t h = seed * 0x9E3779B97F4A7C15u;
+    for (int32_t x : hierarchy->position(v)) {
+      h = (h ^ static_cast<uint64_t>(x)) * 0xD6E8FEB86659FD93u;
+      h ^= h >> 32;
+    }
+    return h % 8 < positiveOfEight;
+  }
+};
+
+TYPED_TEST(WeldTopologyTest, weldedNoiseKeepsItsInvariants) {
+  constexpr int D = TypeParam::value;
+  for (const auto& box : boxes<D>()) {
+    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      const Noise<D> noise{&hierarchy, seed, 1 + seed % 4};
+      auto mesh = Rbmt<D>::full(hierarchy);
+      const auto before = invariantsOf(hierarchy, leavesOf(mesh), noise);
+      coarsen(mesh, [&](const Diamond<D>& d) { return weldKeepsTopology(hierarchy, d.vertex, noise); });
+      EXPECT_EQ(invariantsOf(hierarchy, leavesOf(mesh), noise), before) << "box " << box.last[0] << ' ' << box.last[1];
+    }
+  }
+}
+
+/// One weld: the isosurface in the star, whose boundary stays as it is.
+TYPED_TEST(WeldTopologyTest, everyWeldKeepsItsStar) {
+  constexpr int D = TypeParam::value;
+  std::map<bool, int> answers;
+  for (const auto& box : boxes<D>()) {
+    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    std::mt19937 dice(3);
+    for (unsigned seed = 1; seed <= 150; ++seed) {
+      const Noise<D> noise{&hierarchy, seed};
+      const auto v = anyVertex(hierarchy, dice);
+      const auto d = hierarchy.diamond(v);
+      std::vector<TaggedSimplex<D>> before, after;
+      forEachSimplexOf(d, hierarchy, [&](const TaggedSimplex<D>& s) {
+        after.push_back(s);
+        for (const auto& half : s.halves()) {
+          if (!hierarchy.flat(half.vertices)) before.push_back(half);
+        }
+      });
+      const auto old = invariantsOf(hierarchy, before, noise), now = invariantsOf(hierarchy, after, noise);
+      const bool keeps = weldKeepsTopology(hierarchy, v, noise);
+      ++answers[keeps];
+      if (keeps) {
+        EXPECT_EQ(old, now) << "vertex " << v[0] << ' ' << v[1] << ", box " << box.last[0] << ' ' << box.last[1];
+      }
+      // In space a refusal is right, too, unless the box cuts the diamond before its middle.
+      bool cut = false;
+      for (int a = 0; a < D; ++a) cut = cut || (d.along(a) && v[a] >= box.last[a]);
+      if (D == 3 && !keeps && !cut) {
+        EXPECT_NE(old, now) << "vertex " << v[0] << ' ' << v[1];
+      }
+    }
+  }
+  EXPECT_GT(answers[true], 100);
+  EXPECT_GT(answers[false], 100);
+}
+
+// Shapes that a careless weld tears, joins, fills or loses: samples are few where the shapes are thin.
+
+SampledShape<3> fromDistance(int32_t last, std::function<double(const Vector<3>&)> inside) {
+  return SampledShape<3>(cube<3>(last), std::move(inside));
+}
+double distance(const Vector<3>& p, const Vector<3>& q) {
+  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
+}
+SampledShape<3> knot() {
+  std::vector<Vector<3>> curve;
+  for (int i = 0; i < 300; ++i) {
+    const double t = i * std::acos(-1.0) / 150;
+    curve.push_back({16 + 4.6 * (std::sin(t) + 2 * std::sin(2 * t)), 16 + 4.6 * (std::cos(t) - 2 * std::cos(2 * t)),
+                     16 - 7 * std::sin(3 * t)});
+  }
+  return fromDistance(32, [curve](const Vector<3>& p) {
+    double nearest = 100;
+    for (const auto& q : curve) nearest = std::min(nearest, distance(p, q));
+    return 1.6 - nearest;
+  });
+}
+SampledShape<3> nested() {
+  return fromDistance(20, [](const Vector<3>& p) {
+    return std::sin(std::min(distance(p, {9.7, 10.2, 9.9}), 9.3) * 1.5) + 0.1;
+  });
+}
+/// Two pairs touch, where several edges join them, and one all but does.
+SampledShape<3> touching() {
+  return fromDistance(32, [](const Vector<3>& p) {
+    double inside = -100;
+    for (const Vector<3>& q : {Vector<3>{8, 8, 8}, {8, 8, 22.3}, {18.6, 16, 8}, {18.4, 21.3, 20}})
+      inside = std::max(inside, 6.4 - distance(p, q));
+    return inside;
+  });
+}
+SampledShape<3> leakyBox() {
+  return fromDistance(32, [](const Vector<3>& p) {
+    const double shell = 1.1 - std::abs(distance(p, {17, 16, 15}) - 10.3);
+    const double hole = std::hypot(p[0] - 17.3, p[1] - 16.2) - 1.3;
+    return std::min(shell, hole);
+  });
+}
+
+struct Named {
+  const char* name;
+  SampledShape<3> shape;
+  int64_t components, euler;
+};
+
+TEST(WeldTopology, shapesKeepWhatTheyAreWhileTheyCoarsen) {
+  const Named shapes[] = {{"knot", knot(), 1, 0},
+                          {"nested", nested(), 4, 8},
+                          {"touching", touching(), 2, -2},
+                          {"leaky box", leakyBox(), 1, 0}};
+  for (const auto& [name, shape, components, euler] : shapes) {
+    SCOPED_TRACE(name);
+    const Hierarchy<3> hierarchy(shape.box, 3);
+    auto positive = [&, &field = shape](const Coordinates<3>& v) { return field(hierarchy.position(v)) > 0; };
+    Rbmt<3> finest(hierarchy);
+    refine(finest, [&, &field = shape](const TaggedSimplex<3>& s) { return !mayCross(field.signs, hierarchy, s); });
+    const auto tube = tubeOf(finest, shape.signs);
+    const auto before = invariantsOf(hierarchy, tube, positive);
+    EXPECT_EQ(before.components, components);
+    EXPECT_EQ(before.euler, euler);
+
+    auto careful = finest;
+    coarsen(careful, [&](const Diamond<3>& d) { return weldKeepsTopology(hierarchy, d.vertex, positive); });
+    const auto kept = tubeOf(careful, shape.signs);
+    EXPECT_EQ(invariantsOf(hierarchy, kept, positive), before);
+    EXPECT_LT(kept.size() * 3, tube.size()) << "coarse it is";
+    expectConformingAndRegular(careful);
+
+    auto careless = finest;
+    const DistanceBound<3, SampledShape<3>, SampledShape<3>> near(hierarchy, shape.signs, shape, shape, 2.5);
+    coarsen(careless, allKept(hierarchy, near));
+    EXPECT_NE(invariantsOf(hierarchy, tubeOf(careless, shape.signs), positive), before) << "the shape is no test";
+  }
+}
+
+}  // namespace
+}  // namespace isostar
