@@ -1,7 +1,9 @@
 // Bytes of the container: little-endian, variable-length integers of seven bits a byte; the reader never overruns.
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,10 +11,20 @@
 
 namespace isostar {
 
+/// Powers of ten that doubles hold exactly.
+inline constexpr std::array<double, 8> kTens{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+
+/// How a real number is told: a whole number of these plus the count of decimal digits behind the point, or one of the others.
+inline constexpr uint64_t kRealForms = 10, kSingle = 8, kDouble = 9;
+
 class ByteWriter {
  public:
   explicit ByteWriter(std::vector<std::byte>& out) : out_(out) {}
   void u8(uint64_t v) { out_.push_back(static_cast<std::byte>(v)); }
+  void u16(uint32_t v) {
+    u8(v & 0xFF);
+    u8(v >> 8 & 0xFF);
+  }
   void u32(uint32_t v) {
     for (int i = 0; i < 4; ++i) u8(v >> (8 * i) & 0xFF);
   }
@@ -26,8 +38,27 @@ class ByteWriter {
     for (; v >= 128; v >>= 7) u8((v & 127) | 128);
     u8(v);
   }
+  void zigzag(int64_t v) { varint(folded(v)); }
+  /// Any number, exactly: one that a person would write as a short decimal fraction takes few bytes.
+  void real(double v) {
+    for (std::size_t digits = 0; digits < kTens.size(); ++digits) {
+      const double whole = v * kTens[digits];
+      if (!(std::abs(whole) < 0x1p40) || std::round(whole) / kTens[digits] != v) continue;
+      const auto n = static_cast<int64_t>(std::round(whole));
+      varint(folded(n) * kRealForms + digits);
+      return;
+    }
+    const auto narrow = static_cast<float>(v);
+    const bool exact = double{narrow} == v;
+    varint(exact ? kSingle : kDouble);
+    if (exact) f32(narrow);
+    else f64(v);
+  }
 
  private:
+  /// Small numbers of either sign become small ones: 0, -1, 1, -2 …
+  static uint64_t folded(int64_t v) { return static_cast<uint64_t>(v) << 1 ^ static_cast<uint64_t>(v >> 63); }
+
   std::vector<std::byte>& out_;
 };
 
@@ -39,6 +70,10 @@ class ByteReader {
     if (at_ < in_.size()) return static_cast<uint32_t>(in_[at_++]);
     overrun_ = true;
     return 0;
+  }
+  uint32_t u16() {
+    const uint32_t low = u8();
+    return low | u8() << 8;
   }
   uint32_t u32() {
     uint32_t v = 0;
@@ -60,11 +95,19 @@ class ByteReader {
     malformed_ = true;
     return 0;
   }
+  int64_t zigzag() { return unfolded(varint()); }
+  double real() {
+    const uint64_t v = varint(), form = v % kRealForms;
+    if (form < kTens.size()) return static_cast<double>(unfolded(v / kRealForms)) / kTens[form];
+    return form == kSingle ? double{f32()} : f64();
+  }
   [[nodiscard]] std::size_t position() const { return at_; }
   [[nodiscard]] bool overrun() const { return overrun_; }
   [[nodiscard]] bool malformed() const { return malformed_; }
 
  private:
+  static int64_t unfolded(uint64_t v) { return static_cast<int64_t>(v >> 1) ^ -static_cast<int64_t>(v & 1); }
+
   std::span<const std::byte> in_;
   std::size_t at_ = 0;
   bool overrun_ = false, malformed_ = false;

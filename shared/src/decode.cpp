@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "completion.h"
 #include "isostar/isostar.h"
-#include "layers.h"
-#include "polygonizer.h"
+#include "reconstruction.h"
 
 namespace isostar {
 namespace {
@@ -20,21 +18,32 @@ const char* kindName(LayerKind kind) {
 StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   StreamInfo info;
   info.version = kFormatVersion;
-  info.size = h.size;
+  info.dimension = h.dimension;
+  std::copy_n(h.size.begin(), 3, info.size.begin());
+  info.frames = h.size[3];
   info.placement = h.placement;
   info.isovalues = {h.isovalue};
   info.polygonizer = h.polygonizer;
   info.lossless = h.lossless;
-  info.maxError = h.lossless ? 0 : double{h.maxError};
+  info.maxError = h.lossless ? 0 : h.maxError;
   info.vertices = h.vertices;
-  info.headerBytes = info.bytes = bytes;
+  info.headerBytes = bytes;
+  info.bytes = bytes + h.bytes;
   return info;
 }
 
-void addLayer(StreamInfo& info, const LayerHead& head, std::size_t headBytes) {
+/// A layer whose own bytes begin at `start`.
+void addLayer(StreamInfo& info, const LayerHead& head, std::size_t headBytes, std::size_t start) {
   info.headerBytes += headBytes;
-  info.bytes += headBytes + head.bytes;
-  info.layers.push_back({kindName(head.kind), head.level, info.bytes, head.bytes, head.error});
+  info.layers.push_back({kindName(head.kind), head.level, start + head.bytes, head.bytes, head.error});
+}
+
+/// The head at the beginning of what is left of a stream, of which `stream` may not have arrived.
+Error readHead(std::span<const std::byte> arrived, uint64_t left, const Header& header, LayerHead& head, std::size_t& used) {
+  const Error error = read(arrived.first(std::min<uint64_t>(arrived.size(), left)), header, head, used);
+  const bool whole = arrived.size() >= left;
+  if (error == Error::Truncated && whole) return Error::Corrupt;
+  return error == Error::None && head.bytes > left - used ? Error::Corrupt : error;
 }
 
 }  // namespace
@@ -44,15 +53,17 @@ Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
   std::size_t at = 0;
   if (const Error error = read(stream, header, at); error != Error::None) return error;
   StreamInfo info = describeHeader(header, at);
-  for (uint32_t i = 0; i < header.layers && at < stream.size(); ++i) {
+  while (at < info.bytes && at < stream.size()) {
     LayerHead head;
     std::size_t used = 0;
-    const Error error = read(stream.subspan(at), header, head, used);
+    const Error error = readHead(stream.subspan(at), info.bytes - at, header, head, used);
     if (error == Error::Truncated) break;
     if (error != Error::None) return error;
-    addLayer(info, head, used);
-    if (head.bytes > stream.size() - at - used) break;
-    at += used + static_cast<std::size_t>(head.bytes);
+    if (info.layers.size() == kMostLayers) return Error::Corrupt;
+    at += used;
+    addLayer(info, head, used, at);
+    if (head.bytes > stream.size() - at) break;
+    at += static_cast<std::size_t>(head.bytes);
   }
   out = std::move(info);
   return Error::None;
@@ -63,13 +74,12 @@ struct Decoder::State {
 
   bool advance();
   bool readHeader();
-  bool decodeLayer(const LayerHead& head, std::span<const std::byte> bytes, bool torn);
-  bool inOrder(LayerKind kind, int level) const;
-  std::size_t memoryToRefine() const;
+  bool decodeTorn(const LayerHead& head, std::span<const std::byte> bytes);
   bool fail(Error e) {
     if (error == Error::None) error = e;
     return false;
   }
+  [[nodiscard]] bool complete() const { return header && at == info.bytes; }
 
   Limits limits;
   std::vector<std::byte> in;
@@ -78,10 +88,8 @@ struct Decoder::State {
   Error error = Error::None;
   std::optional<Header> header;
   StreamInfo info;
-  uint32_t layers = 0;  // decoded whole
   bool tornShown = false;
-  std::optional<Knowledge> known;
-  bool based = false;
+  std::unique_ptr<Reconstruction> known;
   uint64_t shown = 0;
   double rms = 0;
 };
@@ -92,90 +100,49 @@ bool Decoder::State::readHeader() {
   const Error e = read(in, h, used);
   if (e == Error::Truncated && !finished) return false;
   if (e != Error::None) return fail(e);
-  const uint64_t plane = static_cast<uint64_t>(h.size[0]) * static_cast<uint64_t>(h.size[1]);
-  if (plane > limits.samples || plane * static_cast<uint64_t>(h.size[2]) > limits.samples || h.vertices > limits.vertices) return fail(Error::OverLimit);
-  // The base octave is small by construction: a larger one would be a way to make us allocate.
-  const auto base = h.base();
-  for (int32_t last : base.last) {
-    if (last > Header::kMostBaseCells) return fail(Error::Corrupt);
+  uint64_t samples = 1;
+  for (const int32_t n : h.size) {
+    samples *= static_cast<uint64_t>(n);
+    if (samples > limits.samples) return fail(Error::OverLimit);
   }
+  if (h.vertices > limits.vertices) return fail(Error::OverLimit);
   header = h;
   info = describeHeader(h, used);
   at = used;
   shown = used;
-  known.emplace(h);
+  known = reconstructionOf(*header, limits);
   return true;
 }
 
-/// The base first, then each octave, then geometry on the finest.
-bool Decoder::State::inOrder(LayerKind kind, int level) const {
-  if (!based) return kind == LayerKind::Base && level == 0;
-  if (known->level < header->octaves) return kind == LayerKind::Refinement && level == known->level + 1;
-  return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == header->octaves;
-}
-
-/// What it takes at most to begin the next octave: both octaves' tables, a mark for each place, eight bricks for one.
-std::size_t Decoder::State::memoryToRefine() const {
-  const std::size_t places = BrickTable<3>(known->signs.lattice().finer()).total();
-  return known->signs.memory() + places * (sizeof(uint32_t) + 1) + std::size_t{8} * known->signs.brickCount() * sizeof(Brick<3>);
-}
-
-bool Decoder::State::decodeLayer(const LayerHead& head, std::span<const std::byte> bytes, bool torn) {
-  constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
-  if (!inOrder(head.kind, head.level)) return fail(Error::Corrupt);
-  GeometryPass pass;
-  pass.kind = head.kind;
-  const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving;
-  if (torn && !geometry) return false;  // an octave shows only as a whole
-  if (geometry) {
-    ByteReader fields(bytes);
-    if (!pass.read(fields)) return fail(Error::Corrupt);
-    if (fields.overrun()) return torn ? false : fail(Error::Corrupt);
-    bytes = bytes.subspan(fields.position());
-  }
-  if (head.kind == LayerKind::Refinement && memoryToRefine() > limits.memory) return fail(Error::OverLimit);
-  const std::size_t settled = geometry ? known->signs.memory() : 0;
-  RangeDecoder coder(bytes);
-  BlindExchange<3> ask(coder, torn ? 0 : kTrimmed, limits.memory - std::min<std::size_t>(settled, limits.memory));
-  if (geometry) {
-    known->geometry(ask, pass);
-  } else if (head.kind == LayerKind::Base) {
-    known->base(ask);
-    based = true;
-  } else {
-    known->refine(ask);
-  }
-  if (ask.overBudget()) return fail(Error::OverLimit);
-  if (!torn && ask.spent()) return fail(Error::Corrupt);
-  return true;
+/// A layer without its end: what there is of it may still show.
+bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte> bytes) {
+  tornShown = true;
+  const auto [e, better] = known->decode(head, bytes, true);
+  if (better) shown = in.size();
+  fail(e == Error::None ? Error::Truncated : e);
+  return better;
 }
 
 bool Decoder::State::advance() {
   if (error != Error::None || tornShown) return false;
   if (!header && !readHeader()) return false;
-  if (layers == header->layers) return false;
+  if (complete()) return false;
   LayerHead head;
   std::size_t used = 0;
   const std::span<const std::byte> rest = std::span<const std::byte>(in).subspan(at);
-  const Error e = read(rest, *header, head, used);
+  const Error e = readHead(rest, info.bytes - at, *header, head, used);
   if (e != Error::None) return e == Error::Truncated && !finished ? false : fail(e);
+  if (info.layers.size() == kMostLayers) return fail(Error::Corrupt);
   const auto bytes = rest.subspan(used);
-  if (bytes.size() < head.bytes) {
-    if (!finished) return false;
-    tornShown = true;
-    const bool better = decodeLayer(head, bytes, true);
-    if (better) shown = in.size();
-    fail(Error::Truncated);
-    return better;
-  }
+  if (bytes.size() < head.bytes) return finished && decodeTorn(head, bytes);
   const auto layer = bytes.first(static_cast<std::size_t>(head.bytes));
-  if (checksum(layer) != head.checksum) return fail(Error::Corrupt);
-  if (!decodeLayer(head, layer, false)) return false;
-  addLayer(info, head, used);
-  at += used + static_cast<std::size_t>(head.bytes);
+  if (checksum(head, layer) != head.checksum) return fail(Error::Corrupt);
+  if (const auto outcome = known->decode(head, layer, false); outcome.error != Error::None) return fail(outcome.error);
+  at += used;
+  addLayer(info, head, used, at);
+  at += static_cast<std::size_t>(head.bytes);
   shown = at;
   rms = head.error;
-  ++layers;
   return true;
 }
 
@@ -190,29 +157,19 @@ bool Decoder::advance() { return state_->advance(); }
 Error Decoder::error() const { return state_->error; }
 bool Decoder::ready() const { return state_->header.has_value(); }
 const StreamInfo& Decoder::info() const { return state_->info; }
-int Decoder::level() const { return state_->based ? state_->known->level : -1; }
-int Decoder::levels() const { return state_->header ? state_->header->octaves + 1 : 0; }
+int Decoder::level() const { return state_->known ? state_->known->level() : -1; }
+int Decoder::levels() const { return state_->header ? state_->header->octaves() + 1 : 0; }
 uint64_t Decoder::bytes() const { return state_->shown; }
 double Decoder::rmsError() const { return state_->rms; }
-bool Decoder::complete() const { return state_->header && state_->layers == state_->header->layers; }
+bool Decoder::complete() const { return state_->complete(); }
 
 Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   out = {};
-  if (!state_->header) return Error::Truncated;
-  if (!state_->based) return Error::None;
-  const Knowledge& known = *state_->known;
-  const Header& header = *state_->header;
-  const Surface surface{known.signs, known.scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, header.placement};
-  const bool diagonals = options.polygonizer == Polygonizer::Tetrahedra;
-  if (!state_->tornShown && known.told[0] && (known.told[1] || !diagonals)) return polygonize(surface, options, state_->limits.vertices, out);
-  const auto active = known.active.empty() ? activeBricks(known.signs) : known.active;
-  Scalars<3> scalars = known.active.empty() ? Scalars<3>(active.size()) : known.scalars;
-  const int finer = scalars.magnify();
-  const double scale = 1 << finer;
-  estimateMissing(known.signs, active, Members::AxisEnds, finer, scalars);
-  if (diagonals) estimateMissing(known.signs, active, Members::DiagonalEnds, finer, scalars);
-  return polygonize({known.signs, scalars, surface.positiveOffset * scale, surface.negativeOffset * scale, header.placement}, options,
-                    state_->limits.vertices, out);
+  return state_->known ? state_->known->show(options, out) : Error::Truncated;
+}
+Error Decoder::contours(const MeshOptions& options, Contours& out) const {
+  out = {};
+  return state_->known ? state_->known->show(options, out) : Error::Truncated;
 }
 
 }  // namespace isostar

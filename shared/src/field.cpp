@@ -7,6 +7,25 @@
 #include "tube.h"
 
 namespace isostar {
+namespace {
+
+/// Are samples whole numbers of a step, each on the right side of the isovalue also as such a number?
+class WholeSamples {
+ public:
+  /// `perStep`: so many steps are 1.
+  WholeSamples(double perStep, double isovalue) : perStep_(perStep), isovalue_(isovalue) {}
+  void see(double sample) {
+    const double n = std::round(sample * perStep_);
+    all_ = all_ && static_cast<float>(n / perStep_) == sample && (n > isovalue_ * perStep_) == (sample > isovalue_);
+  }
+  [[nodiscard]] bool all() const { return all_; }
+
+ private:
+  double perStep_, isovalue_;
+  bool all_ = true;
+};
+
+}  // namespace
 
 template <int D>
 bool sensible(std::span<const float> samples, const Coordinates<D>& size, double isovalue) {
@@ -51,7 +70,7 @@ template <int D>
 void GridField<D>::quantize(Header& header, const Signs<D>& signs) const {
   const auto active = activeBricks(signs);
   double largest = 0;
-  bool whole = true;
+  WholeSamples ones(1, isovalue_), bytes(255, isovalue_);
   Tube<D> tube;
   for (std::size_t place = 0; place < active.size(); ++place) {
     if (active[place] == 0) continue;
@@ -61,20 +80,14 @@ void GridField<D>::quantize(Header& header, const Signs<D>& signs) const {
       tube.forEach([&](int, std::size_t r, int x) {
         const double sample = samples_[at(vertex(tube.at(), r)) + static_cast<std::size_t>(x)];
         largest = std::max(largest, std::abs(sample - isovalue_));
-        whole = whole && sample == std::floor(sample);
+        ones.see(sample);
+        bytes.see(sample);
       });
     }
   }
-  if (whole && largest < double(1 << 28)) {
-    header.quantum = 1;
-    header.positiveOffset = std::floor(isovalue_) + 1 - isovalue_;
-    header.negativeOffset = isovalue_ - std::floor(isovalue_);
-    return;
-  }
-  // A quantum of 1 marks samples that are whole numbers: keep clear of it.
-  const double quantum = std::ldexp(largest, -28);
-  header.quantum = quantum == 1 ? 0.5 : quantum;
-  header.positiveOffset = header.negativeOffset = 0.5;
+  if (ones.all() && largest < double(1 << 28)) return header.countWhole(1);
+  if (bytes.all() && largest <= 1) return header.countWhole(Header::kByteStep);
+  header.quantum = std::ldexp(1.0, largest > 0 ? std::ilogb(largest) - 27 : 0);
 }
 
 template <int D>
@@ -85,9 +98,10 @@ uint32_t GridField<D>::magnitude(const Header& header, std::size_t place, std::s
   }
   std::size_t sample = lastStart_ + static_cast<std::size_t>(x);
   for (int a = 1; a < D; ++a, r /= kBrickSide) sample += (r % kBrickSide) * stride_[a];
-  const double d = double{samples_[sample]} - isovalue_;
-  if (header.quantum == 1) return static_cast<uint32_t>((d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
-  return static_cast<uint32_t>(std::min(std::abs(d) / header.quantum, double((1 << 29) - 1)));
+  double d = double{samples_[sample]} - isovalue_;
+  if (header.quantum != 1) d /= header.quantum;
+  if (header.whole) return static_cast<uint32_t>((d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
+  return static_cast<uint32_t>(std::min(std::abs(d), double((1 << 29) - 1)));
 }
 
 template <int D>

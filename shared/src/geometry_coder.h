@@ -173,6 +173,7 @@ class GeometryCoder {
         sames -= known & ~crossing;
       }
     }
+    if constexpr (D > 3) beside.crossings = std::min<std::size_t>(beside.crossings, 7);
     if (others != 0) beside.other = relative(other, others);
     if (sames != 0) beside.same = relative(same, sames);
     return beside;

@@ -9,66 +9,82 @@
 namespace isostar {
 
 /// What a geometry layer is to do, decided by the encoder.
+template <int D>
 struct GeometryPass {
+  using Allowed = typename GeometryCoder<D>::Allowed;
+
   LayerKind kind = LayerKind::Octaves;
   Members members = Members::AxisEnds;
-  int depth = 3;                         // Octaves: of the floor below the gradient
-  GeometryCoder<3>::Allowed allowed{};   // Halving
-  int most = 1;                          // Halving: of one interval
-  bool selective = false;                // Halving: only in bricks that are told
+  int depth = 3;           // Octaves: of the floor below the gradient
+  Allowed allowed{};       // Halving
+  int most = 1;            // Halving: of one interval
+  bool selective = false;  // Halving: only in bricks that are told
 
   void write(ByteWriter& out) const {
-    out.u8(static_cast<uint64_t>(members));
     if (kind == LayerKind::Octaves) {
-      out.u8(static_cast<uint64_t>(depth));
+      out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(depth) << 1);
       return;
     }
-    for (std::size_t axes = 1; axes < allowed.size(); ++axes) out.varint(allowed[axes]);
-    out.u8(static_cast<uint64_t>(most));
-    out.u8(selective ? 1 : 0);
+    out.u8(static_cast<uint64_t>(members) | (selective ? 2u : 0u) | static_cast<uint64_t>(most) << 2);
+    // The same on all axes, and no diagonals: one number tells all.
+    const bool even = allowed == alike(allowed[1]);
+    out.varint(uint64_t{allowed[1]} << 1 | (even ? 1u : 0u));
+    for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) out.varint(allowed[axes]);
   }
   /// False where a field is out of its range.
   [[nodiscard]] bool read(ByteReader& in) {
-    const uint32_t m = in.u8();
-    members = static_cast<Members>(m);
-    bool sane = m <= static_cast<uint32_t>(Members::DiagonalEnds);
+    const uint32_t first = in.u8();
+    members = static_cast<Members>(first & 1);
     if (kind == LayerKind::Octaves) {
-      depth = static_cast<int>(in.u8());
-      return sane && depth <= 32;
+      depth = static_cast<int>(first >> 1);
+      return depth <= 32;
     }
-    for (std::size_t axes = 1; axes < allowed.size(); ++axes) {
-      const uint64_t v = in.varint();
-      sane = sane && v <= (1u << 20);
+    selective = (first & 2) != 0;
+    most = static_cast<int>(first >> 2);
+    uint64_t v = in.varint();
+    const bool even = (v & 1) != 0;
+    v >>= 1;
+    bool sane = most <= 32 && v <= kMostAllowed;
+    allowed = alike(static_cast<uint32_t>(v));
+    for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) {
+      v = in.varint();
+      sane = sane && v <= kMostAllowed;
       allowed[axes] = static_cast<uint32_t>(v);
     }
-    most = static_cast<int>(in.u8());
-    const uint32_t select = in.u8();
-    selective = select == 1;
-    return sane && most <= 32 && select <= 1 && !in.malformed();
+    return sane && !in.malformed();
+  }
+
+ private:
+  static constexpr uint64_t kMostAllowed = 1u << 20;
+  static Allowed alike(uint32_t onAxes) {
+    Allowed allowed{};
+    for (int a = 0; a < D; ++a) allowed[std::size_t{1} << a] = onAxes;
+    return allowed;
   }
 };
 
 /// All that both sides know, and the models that carry over from layer to layer.
+template <int D>
 struct Knowledge {
-  explicit Knowledge(const Header& header) : signs(header.base()), level(0) {}
+  explicit Knowledge(const Header& header) : signs(header.base<D>()), level(0) {}
 
   template <class Exchange>
   void base(Exchange& ask) {
-    BaseCoder<3>().tell(ask, signs);
+    BaseCoder<D>().tell(ask, signs);
   }
 
   template <class Exchange>
   void refine(Exchange& ask) {
     signs = refined(signs);
     ++level;
-    for (int dimension = 3; dimension >= 1; --dimension) refinement.bisect(ask, signs, dimension);
+    for (int dimension = D; dimension >= 1; --dimension) refinement.bisect(ask, signs, dimension);
   }
 
   template <class Exchange>
-  void geometry(Exchange& ask, const GeometryPass& pass) {
+  void geometry(Exchange& ask, const GeometryPass<D>& pass) {
     if (active.empty()) {
       active = activeBricks(signs);
-      scalars = Scalars<3>(active.size());
+      scalars = Scalars<D>(active.size());
     }
     if (pass.kind == LayerKind::Octaves) {
       told[static_cast<std::size_t>(pass.members)] = true;
@@ -78,13 +94,13 @@ struct Knowledge {
     }
   }
 
-  Signs<3> signs;
+  Signs<D> signs;
   int level;
-  RefinementCoder<3> refinement;
+  RefinementCoder<D> refinement;
   std::vector<uint8_t> active;  // bricks of the finest octave; empty before the first geometry layer
-  Scalars<3> scalars;
+  Scalars<D> scalars;
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
-  GeometryCoder<3> coder;
+  GeometryCoder<D> coder;
 };
 
 }  // namespace isostar

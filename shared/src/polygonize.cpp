@@ -1,25 +1,31 @@
+#include "contour.h"
 #include "field.h"
 #include "isostar/isostar.h"
 #include "octave.h"
 #include "polygonizer.h"
+#include "time_slice.h"
 #include "tube.h"
 
 namespace isostar {
+namespace {
 
-Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
-  if (!invertible(volume.placement) || !sensible<3>(volume.samples, volume.size, isovalue)) return Error::BadArgument;
-  const GridField<3> field(volume.samples, volume.size, isovalue);
+/// Calls make(surface) with the exact scalars of a source.
+template <int D, class Make>
+Error withSource(std::span<const float> samples, Header header, double isovalue, Polygonizer polygonizer, Make make) {
+  Coordinates<D> size;
+  std::copy_n(header.size.begin(), D, size.begin());
+  if (!invertible(header.placement) || !sensible<D>(samples, size, isovalue)) return Error::BadArgument;
+  const GridField<D> field(samples, size, isovalue);
   const auto signs = field.signs(1);
-  Header header;
   header.isovalue = isovalue;
   header.lossless = true;
-  header.polygonizer = options.polygonizer;
+  header.polygonizer = polygonizer;
   field.quantize(header, signs);
   const auto active = activeBricks(signs);
-  Scalars<3> scalars(active.size());
-  Tube<3> tube;
+  Scalars<D> scalars(active.size());
+  Tube<D> tube;
   for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-    if (members == Members::DiagonalEnds && options.polygonizer == Polygonizer::Cubes) break;
+    if (members == Members::DiagonalEnds && polygonizer == Polygonizer::Cubes) break;
     for (std::size_t place = 0; place < active.size(); ++place) {
       if (active[place] == 0) continue;
       tube.enter(signs, place, members);
@@ -30,7 +36,27 @@ Error polygonize(const Volume& volume, double isovalue, const MeshOptions& optio
       });
     }
   }
-  return polygonize({signs, scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, volume.placement}, options, UINT32_MAX, out);
+  return make(Surface<D>{signs, scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, header.placement});
+}
+
+}  // namespace
+
+Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
+  return withSource<3>(volume.samples, headerOf(volume), isovalue, options.polygonizer,
+                       [&](const Surface<3>& surface) { return polygonize(surface, options, UINT32_MAX, out); });
+}
+
+Error polygonize(const Image& image, double isovalue, const MeshOptions& options, Contours& out) {
+  return withSource<2>(image.samples, headerOf(image), isovalue, options.polygonizer,
+                       [&](const Surface<2>& surface) { return polygonize(surface, options, UINT32_MAX, out); });
+}
+
+Error polygonize(const Sequence& sequence, double isovalue, const MeshOptions& options, Mesh& out) {
+  if (!(options.time >= 0 && options.time <= sequence.frames - 1)) return Error::BadArgument;
+  return withSource<4>(sequence.samples, headerOf(sequence), isovalue, options.polygonizer, [&](const Surface<4>& surface) {
+    const TimeSlice slice = sliceAt(surface, options.time);
+    return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset, slice.negativeOffset, surface.placement}, options, UINT32_MAX, out);
+  });
 }
 
 }  // namespace isostar

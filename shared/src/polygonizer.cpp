@@ -53,7 +53,7 @@ class Frames {
 
 class Polygonization {
  public:
-  Polygonization(const Surface& surface, const MeshOptions& options, Mesh& out)
+  Polygonization(const Surface<3>& surface, const MeshOptions& options, Mesh& out)
       : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
         out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
     for (unsigned parity = 0; parity < 8; ++parity) tables_[parity] = &cellTable(options.polygonizer, parity);
@@ -246,7 +246,7 @@ class Polygonization {
     }
   }
 
-  const Surface& surface_;
+  const Surface<3>& surface_;
   const Signs<3>& signs_;
   Lattice<3> lattice_;
   MeshOptions options_;
@@ -265,7 +265,7 @@ class Polygonization {
 
 }  // namespace
 
-Error polygonize(const Surface& surface, const MeshOptions& options, uint64_t mostVertices, Mesh& out) {
+Error polygonize(const Surface<3>& surface, const MeshOptions& options, uint64_t mostVertices, Mesh& out) {
   out = {};
   return Polygonization(surface, options, out).run(mostVertices);
 }

@@ -37,14 +37,15 @@ struct ScalarWindow {
     }
   }
 
-  /// Three vertices in a row from the one at `first`, scaled down so that sums of their like fit; 0 where unknown.
+  /// Three vertices in a row from the one at `first`, scaled down so that sums of 4^D of their like fit; 0 where unknown.
   struct Three {
+    static constexpr int32_t kBound = 1 << (30 - 2 * D);
     Lanes known;  // -1 or 0
     Lanes value;
     Three(const int32_t* first, int shift) {
       const Lanes exact = lanesAt(first);
       known = exact != Scalars<D>::kUnknown;
-      value = clamped(exact >> shift, 1 << 24) & known;
+      value = clamped(exact >> shift, kBound) & known;
     }
   };
 

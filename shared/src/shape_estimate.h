@@ -11,7 +11,7 @@
 namespace isostar {
 
 /// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each axis, so that the sums
-/// are made axis by axis, for a row of eight vertices at once.
+/// are made axis by axis, for a row of eight vertices at once. In each dimension they are about as large as in three.
 template <int D>
 class ShapeEstimate {
  public:
@@ -22,9 +22,13 @@ class ShapeEstimate {
     }
     std::size_t inner = 1, outer = kRows / Window<D>::kSide;
     for (std::size_t axis = 1; axis < D; ++axis, inner *= kBrickSide, outer /= Window<D>::kSide) {
+      if constexpr (D > 3) {
+        if (axis == 3) forRows(axis, outer * Window<D>::kSide * inner, [](Row row) { return row >> 4; });
+      }
       slope(fields_[0].data(), fields_[axis + 1].data(), outer, inner);
       for (std::size_t f = 0; f <= axis; ++f) smooth(fields_[f].data(), outer, inner);
     }
+    if constexpr (D < 3) forRows(D + 1, power(kBrickSide, D - 1), [](Row row) { return row * kWeightSum; });
   }
 
   /// Of weight · sign at vertex x of row r: grows with the distance to the surface.
@@ -37,6 +41,14 @@ class ShapeEstimate {
   using Half = std::array<int16_t, 4>;
   static constexpr std::size_t kRows = Window<D>::kRows;
   static constexpr std::array<int, 5> kWeight{1, 5, 8, 5, 1};
+  static constexpr int16_t kWeightSum = 20;
+
+  template <class Change>
+  void forRows(std::size_t fields, std::size_t rows, Change change) {
+    for (std::size_t f = 0; f < fields; ++f) {
+      for (std::size_t r = 0; r < rows; ++r) fields_[f][r] = change(fields_[f][r]);
+    }
+  }
 
   /// Four vertices from the eight signs around them.
   template <bool IsSlope>

@@ -9,10 +9,20 @@
 namespace isostar {
 namespace {
 
-constexpr std::array<uint8_t, 4> kMagic{'i', 's', 'o', 0xB5};
-constexpr uint64_t kMostLayers = 255;
-constexpr int kMostOctaves = 28;
-enum Flag : uint32_t { kLossless = 1, kTetrahedra = 2, kSpacing = 4, kOrigin = 8, kDirection = 16, kInteger = 32, kKnownFlags = 63 };
+/// Three letters; the fourth byte has its top bit set, as no text has, then the version and the dimension.
+constexpr std::array<uint8_t, 3> kMagic{'i', 's', 'o'};
+constexpr uint32_t kBinary = 0x80;
+constexpr std::size_t kShort = 1024;  // bytes of layers with short checksums
+enum Flag : uint32_t {
+  kLossless = 1,
+  kTetrahedra = 2,
+  kSpacing = 4,
+  kOrigin = 8,
+  kDirection = 16,
+  kWhole = 32,
+  kByteSteps = 64,
+  kKnownFlags = 127
+};
 
 /// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
 uint32_t pack(double error) {
@@ -25,11 +35,15 @@ double unpack(uint32_t code) {
   return std::ldexp(kRoots[code % 8], static_cast<int>(code / 8) - 20);
 }
 
-/// Offsets of samples that are whole numbers: the first one above the isovalue is positive.
-void wholeOffsets(Header& h) {
-  const double fraction = h.isovalue - std::floor(h.isovalue);
-  h.positiveOffset = 1 - fraction;
-  h.negativeOffset = fraction;
+/// Kind and level of a layer in a byte.
+uint32_t packed(const LayerHead& head) { return static_cast<uint32_t>(head.kind) << 5 | static_cast<uint32_t>(head.level); }
+
+/// How many axes of a placement a stream tells.
+std::size_t placed(const Header& h) { return static_cast<std::size_t>(std::min(h.dimension, 3)); }
+
+template <std::size_t N>
+bool differ(const std::array<double, N>& a, const std::array<double, N>& b, std::size_t axes) {
+  return !std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(axes), b.begin());
 }
 
 }  // namespace
@@ -49,39 +63,88 @@ bool invertible(const Placement& p) {
   return std::abs(determinant) > kFlat * lengths;
 }
 
-uint32_t checksum(std::span<const std::byte> bytes) { return XXH32(bytes.data(), bytes.size(), 0); }
+int Header::octaves() const {
+  int32_t cells = 0;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) cells = std::max(cells, size[a] - 1);
+  int octaves = 0;
+  while (cells > int64_t{kMostBaseCells} << octaves) ++octaves;
+  return octaves;
+}
+
+void Header::countWhole(double step) {
+  whole = true;
+  quantum = step;
+  const double steps = step == 1 ? isovalue : isovalue * 255, fraction = steps - std::floor(steps);
+  positiveOffset = 1 - fraction;
+  negativeOffset = fraction;
+}
+
+Header headerOf(const Image& image) {
+  const auto& [x, y] = image.spacing;
+  Header h;
+  h.dimension = 2;
+  h.size = {image.size[0], image.size[1], 1, 1};
+  h.placement.origin = {image.origin[0], image.origin[1], 0};
+  h.placement.spacing = {x, y, std::min(x, y)};
+  return h;
+}
+
+Header headerOf(const Volume& volume) {
+  Header h;
+  h.dimension = 3;
+  h.size = {volume.size[0], volume.size[1], volume.size[2], 1};
+  h.placement = volume.placement;
+  return h;
+}
+
+Header headerOf(const Sequence& sequence) {
+  Header h;
+  h.dimension = 4;
+  h.size = {sequence.size[0], sequence.size[1], sequence.size[2], sequence.frames};
+  h.placement = sequence.placement;
+  return h;
+}
+
+uint32_t checksum(std::span<const std::byte> header) { return XXH32(header.data(), header.size(), 0) & 0xFFFF; }
+
+uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer) {
+  const uint32_t sum = XXH32(layer.data(), layer.size(), packed(head) << 8 | pack(head.error));
+  return layer.size() < kShort ? sum & 0xFFFF : sum;
+}
 
 void write(ByteWriter& out, const Header& h) {
   const Placement plain;
-  const bool whole = h.quantum == 1;
+  const std::size_t axes = placed(h);
+  const auto& [origin, spacing, direction] = h.placement;
+  const bool turned = h.dimension > 2 && direction != plain.direction;
   const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
-                         (h.placement.spacing != plain.spacing ? kSpacing : 0u) | (h.placement.origin != plain.origin ? kOrigin : 0u) |
-                         (h.placement.direction != plain.direction ? kDirection : 0u) | (whole ? kInteger : 0u);
+                         (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
+                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
-  w.u8(kFormatVersion);
+  w.u8(kBinary | static_cast<uint32_t>(kFormatVersion) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
   w.varint(flags);
-  for (int32_t n : h.size) w.varint(static_cast<uint64_t>(n));
-  w.u8(static_cast<uint64_t>(h.octaves));
-  w.f64(h.isovalue);
-  if (!whole) w.f64(h.quantum);
-  w.f32(h.maxError);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) w.varint(static_cast<uint64_t>(h.size[a]));
+  w.real(h.isovalue);
+  if (!h.whole) w.zigzag(std::ilogb(h.quantum));
+  if (!h.lossless) w.real(h.maxError);
   w.varint(h.vertices);
-  if (flags & kSpacing) for (double v : h.placement.spacing) w.f64(v);
-  if (flags & kOrigin) for (double v : h.placement.origin) w.f64(v);
-  if (flags & kDirection) for (double v : h.placement.direction) w.f64(v);
-  w.varint(h.layers);
+  for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) w.real(spacing[a]);
+  for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) w.real(origin[a]);
+  if (turned) for (double v : direction) w.real(v);
+  w.varint(h.bytes);
+  const uint32_t sum = checksum(body);
   for (uint8_t c : kMagic) out.u8(c);
   for (std::byte b : body) out.u8(static_cast<uint64_t>(b));
-  out.u32(checksum(body));
+  out.u16(sum);
 }
 
 void write(ByteWriter& out, const LayerHead& head) {
-  out.u8(static_cast<uint64_t>(head.kind));
-  out.u8(static_cast<uint64_t>(head.level));
+  out.u8(packed(head));
   out.u8(pack(head.error));
   out.varint(head.bytes);
-  out.u32(head.checksum);
+  if (head.bytes < kShort) out.u16(head.checksum);
+  else out.u32(head.checksum);
 }
 
 Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
@@ -91,41 +154,46 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (in.size() <= kMagic.size()) return Error::Truncated;
   const auto body = in.subspan(kMagic.size());
   ByteReader r(body);
-  Header h;
-  const uint32_t version = r.u8();
+  const uint32_t first = r.u8(), version = first >> 2 & 31;
+  if ((first & kBinary) == 0) return Error::NotIsostar;
   if (version > kFormatVersion) return Error::UnsupportedVersion;
   if (version == 0) return Error::Corrupt;
+  Header h;
+  h.dimension = static_cast<int>(first & 3) + kLeastDimension;
+  if (h.dimension > kMostDimension) return Error::UnsupportedVersion;
   const uint64_t flags = r.varint();
   if ((flags & ~uint64_t{kKnownFlags}) != 0) return Error::UnsupportedVersion;
   h.lossless = (flags & kLossless) != 0;
   h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
   bool sane = true;
-  for (int32_t& n : h.size) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {
     const uint64_t v = r.varint();
     sane = sane && v >= 1 && v < (uint64_t{1} << 28);
-    n = static_cast<int32_t>(v);
+    h.size[a] = static_cast<int32_t>(v);
   }
-  h.octaves = static_cast<int>(r.u8());
-  sane = sane && h.octaves <= kMostOctaves;
-  h.isovalue = r.f64();
-  if ((flags & kInteger) != 0) wholeOffsets(h);
-  else h.quantum = r.f64();
-  h.maxError = r.f32();
+  std::fill(h.size.begin() + h.dimension, h.size.end(), 1);
+  h.isovalue = r.real();
+  int64_t exponent = 0;
+  if ((flags & kWhole) != 0) h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
+  else exponent = r.zigzag();
+  sane = sane && std::abs(exponent) < 1000;
+  if (!h.whole && sane) h.quantum = std::ldexp(1.0, static_cast<int>(exponent));
+  if (!h.lossless) h.maxError = r.real();
   h.vertices = r.varint();
-  if (flags & kSpacing) for (double& v : h.placement.spacing) v = r.f64();
-  if (flags & kOrigin) for (double& v : h.placement.origin) v = r.f64();
-  if (flags & kDirection) for (double& v : h.placement.direction) v = r.f64();
-  const uint64_t layers = r.varint();
+  const std::size_t axes = placed(h);
+  auto& [origin, spacing, direction] = h.placement;
+  for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) spacing[a] = r.real();
+  for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) origin[a] = r.real();
+  if ((flags & kDirection) != 0) for (double& v : direction) v = r.real();
+  if (h.dimension == 2) spacing[2] = std::min(spacing[0], spacing[1]);
+  h.bytes = r.varint();
   const std::size_t length = r.position();
-  const uint32_t expected = r.u32();
+  const uint32_t expected = r.u16();
   if (r.malformed()) return Error::Corrupt;
   if (r.overrun()) return Error::Truncated;
   if (expected != checksum(body.first(length))) return Error::Corrupt;
-  if (!sane || layers > kMostLayers || !std::isfinite(h.isovalue) || !(h.quantum > 0) || !std::isfinite(h.quantum) || !(h.maxError >= 0) ||
-      !invertible(h.placement)) {
-    return Error::Corrupt;
-  }
-  h.layers = static_cast<uint32_t>(layers);
+  if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
+  if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;
@@ -133,12 +201,13 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
 
 Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, std::size_t& used) {
   ByteReader r(in);
-  const uint32_t kind = r.u8(), level = r.u8(), error = r.u8();
+  const uint32_t first = r.u8(), error = r.u8();
   const uint64_t bytes = r.varint();
-  const uint32_t sum = r.u32();
+  const uint32_t sum = bytes < kShort ? r.u16() : r.u32();
   if (r.malformed()) return Error::Corrupt;
   if (r.overrun()) return Error::Truncated;
-  if (kind > static_cast<uint32_t>(LayerKind::Halving) || level > static_cast<uint32_t>(header.octaves)) return Error::Corrupt;
+  const uint32_t kind = first >> 5, level = first & 31;
+  if (kind > static_cast<uint32_t>(LayerKind::Halving) || level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
   out = {static_cast<LayerKind>(kind), static_cast<int>(level), unpack(error), bytes, sum};
   used = r.position();
   return Error::None;

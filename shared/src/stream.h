@@ -9,25 +9,45 @@
 
 namespace isostar {
 
+inline constexpr int kLeastDimension = 2, kMostDimension = 4;
+
 /// What a decoder must know before the first layer.
 struct Header {
-  std::array<int32_t, 3> size{};
-  int octaves = 0;  // refinements from the base to the source's own grid
-  Placement placement;
+  int dimension = 3;           // 2: an image; 3: a volume; 4: a sequence of volumes, time last
+  Coordinates<4> size{};       // of the first `dimension` axes
+  Placement placement;         // of the first three axes; an image's third spacing is its smallest
   double isovalue = 0;
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
-  float maxError = 0;
+  double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.
   double quantum = 1;
   double positiveOffset = 0.5, negativeOffset = 0.5;
-  uint32_t layers = 0;
+  /// Samples are whole numbers of quanta, of 1 or of kByteStep; else a quantum is a power of two.
+  bool whole = false;
+  uint64_t bytes = 0;  // of all layers and their heads
 
-  static constexpr int32_t kMostBaseCells = 8;  // of the base octave on an axis
+  static constexpr int32_t kMostBaseCells = 4;  // of the base octave on an axis
+  static constexpr double kByteStep = 1.0 / 255;
 
-  [[nodiscard]] Lattice<3> base() const { return Lattice<3>({size[0] - 1, size[1] - 1, size[2] - 1}, int32_t{1} << octaves); }
+  /// Refinements from the base to the source's own grid: as few as the base allows.
+  [[nodiscard]] int octaves() const;
+  /// Offsets of samples that are whole numbers of quanta: the first one above the isovalue is positive.
+  void countWhole(double step);
+
+  template <int D>
+  [[nodiscard]] Lattice<D> base() const {
+    Coordinates<D> last;
+    for (int a = 0; a < D; ++a) last[a] = size[static_cast<std::size_t>(a)] - 1;
+    return Lattice<D>(last, int32_t{1} << octaves());
+  }
 };
+
+/// Dimension, size and placement of a source.
+[[nodiscard]] Header headerOf(const Image& image);
+[[nodiscard]] Header headerOf(const Volume& volume);
+[[nodiscard]] Header headerOf(const Sequence& sequence);
 
 enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3 };
 
@@ -36,8 +56,10 @@ struct LayerHead {
   int level = 0;
   double error = 0;  // RMS distance to the source's surface, grid steps, to within 5 %
   uint64_t bytes = 0;
-  uint32_t checksum = 0;  // of the layer's bytes
+  uint32_t checksum = 0;
 };
+
+inline constexpr uint64_t kMostLayers = 255;
 
 void write(ByteWriter& out, const Header& header);
 void write(ByteWriter& out, const LayerHead& head);
@@ -49,6 +71,9 @@ void write(ByteWriter& out, const LayerHead& head);
 /// Finite, and with an inverse; far from where single precision ends.
 [[nodiscard]] bool invertible(const Placement& placement);
 
-[[nodiscard]] uint32_t checksum(std::span<const std::byte> bytes);
+/// Of a layer under the other fields of its head; of 16 bits for a short one.
+[[nodiscard]] uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer);
+/// Of a header between its first three bytes and the checksum itself, 16 bits.
+[[nodiscard]] uint32_t checksum(std::span<const std::byte> header);
 
 }  // namespace isostar

@@ -8,19 +8,20 @@ namespace {
 
 Header headerFrom(FuzzInput& input) {
   Header header;
-  for (int32_t& n : header.size) n = input.between(1, 40);
-  header.octaves = input.between(0, 4);
-  header.quantum = (input.byte() & 1) != 0 ? 1 : 0.001;
+  header.dimension = input.between(2, 4);
+  for (int32_t& n : header.size) n = input.between(1, header.dimension == 4 ? 20 : 40);
+  if ((input.byte() & 1) != 0) header.countWhole(1);
+  else header.quantum = 0x1p-10;
   return header;
 }
 
 void writeLayer(FuzzInput& input, const Header& header, std::vector<std::byte>& stream) {
   LayerHead head;
   head.kind = static_cast<LayerKind>(input.between(0, 3));
-  head.level = input.between(0, header.octaves);
+  head.level = input.between(0, header.octaves());
   const auto payload = input.bytes(static_cast<std::size_t>(input.byte()));
   head.bytes = payload.size();
-  head.checksum = checksum(payload);
+  head.checksum = checksum(head, payload);
   ByteWriter out(stream);
   write(out, head);
   stream.insert(stream.end(), payload.begin(), payload.end());
@@ -31,11 +32,12 @@ void writeLayer(FuzzInput& input, const Header& header, std::vector<std::byte>& 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
   Header header = headerFrom(input);
-  header.layers = static_cast<uint32_t>(input.between(0, 20));
-  std::vector<std::byte> stream;
+  std::vector<std::byte> layers, stream;
+  for (int i = input.between(0, 20); i > 0; --i) writeLayer(input, header, layers);
+  header.bytes = layers.size();
   ByteWriter out(stream);
   write(out, header);
-  for (uint32_t i = 0; i < header.layers; ++i) writeLayer(input, header, stream);
+  stream.insert(stream.end(), layers.begin(), layers.end());
   demandHarmless(stream);
   return 0;
 }

@@ -17,7 +17,7 @@ struct Anatomy {
 
   explicit Anatomy(std::span<const std::byte> bytes) {
     EXPECT_EQ(read(bytes, header, headerEnd), Error::None);
-    for (std::size_t at = headerEnd; layers.size() < header.layers;) {
+    for (std::size_t at = headerEnd; at < headerEnd + header.bytes;) {
       LayerHead head;
       std::size_t used = 0;
       if (read(bytes.subspan(at), header, head, used) != Error::None) break;
@@ -28,32 +28,40 @@ struct Anatomy {
   }
 };
 
-inline void putChecksum(Bytes& bytes, std::size_t at, uint32_t sum) {
-  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
+inline void putChecksum(Bytes& bytes, std::size_t at, std::size_t length, uint32_t sum) {
+  for (std::size_t i = 0; i < length; ++i) bytes[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
 }
 
 /// The same damage under checksums that are right again, where the stream was as `anatomy` says.
 inline Bytes repaired(Bytes bytes, const Anatomy& anatomy) {
   const std::span<const std::byte> all(bytes);
-  constexpr std::size_t kMagic = 4, kSum = 4;
-  putChecksum(bytes, anatomy.headerEnd - kSum, checksum(all.subspan(kMagic, anatomy.headerEnd - kMagic - kSum)));
-  for (const auto& layer : anatomy.layers)
-    putChecksum(bytes, layer.payload - kSum, checksum(all.subspan(layer.payload, layer.end - layer.payload)));
+  constexpr std::size_t kMagic = 3, kSum = 2;
+  putChecksum(bytes, anatomy.headerEnd - kSum, kSum, checksum(all.subspan(kMagic, anatomy.headerEnd - kMagic - kSum)));
+  for (const auto& layer : anatomy.layers) {
+    LayerHead head;
+    std::size_t used = 0;
+    if (read(all.subspan(layer.head), anatomy.header, head, used) != Error::None) continue;
+    const std::size_t length = layer.end - layer.payload, sum = length < 1024 ? 2 : 4;
+    putChecksum(bytes, layer.payload - sum, sum, checksum(head, all.subspan(layer.payload, length)));
+  }
   return bytes;
 }
 
 /// A stream of a header and of layers as they are given, with the checksums that they should have.
 inline Bytes assembled(Header header, const std::vector<std::pair<LayerHead, Bytes>>& layers) {
-  Bytes bytes;
-  ByteWriter out(bytes);
-  header.layers = static_cast<uint32_t>(layers.size());
-  write(out, header);
+  Bytes behind;
+  ByteWriter out(behind);
   for (auto [head, payload] : layers) {
     head.bytes = payload.size();
-    head.checksum = checksum(payload);
+    head.checksum = checksum(head, payload);
     write(out, head);
-    bytes.insert(bytes.end(), payload.begin(), payload.end());
+    behind.insert(behind.end(), payload.begin(), payload.end());
   }
+  header.bytes = behind.size();
+  Bytes bytes;
+  ByteWriter whole(bytes);
+  write(whole, header);
+  bytes.insert(bytes.end(), behind.begin(), behind.end());
   return bytes;
 }
 

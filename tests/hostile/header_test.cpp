@@ -9,7 +9,7 @@ namespace {
 
 Header plausible() {
   Header header;
-  header.size = {9, 9, 9};
+  header.size = {9, 9, 9, 1};
   return header;
 }
 
@@ -35,15 +35,15 @@ TEST(HostileHeader, foreignFiles) {
     EXPECT_EQ(errorOf(bytesOf(text)), Error::NotIsostar) << text;
   EXPECT_EQ(errorOf(bytesOf("is")), Error::Truncated);
   EXPECT_EQ(errorOf(Bytes{}), Error::Truncated);
-  EXPECT_EQ(errorOf(bytesOf("iso\xB5")), Error::Truncated);
+  EXPECT_EQ(errorOf(bytesOf("iso\x85")), Error::Truncated);
 }
 
 TEST(HostileHeader, otherVersions) {
   Bytes bytes = encoded(sampled("sphere", {9, 9, 9}, sphere({9, 9, 9})));
   const Anatomy anatomy(bytes);
-  for (int version = 0; version < 256; ++version) {
+  for (int version = 0; version < 32; ++version) {
     if (version == kFormatVersion) continue;
-    bytes[4] = static_cast<std::byte>(version);
+    bytes[3] = static_cast<std::byte>(0x80 | version << 2 | 1);
     const Error expected = version == 0 ? Error::Corrupt : Error::UnsupportedVersion;
     EXPECT_EQ(errorOf(bytes), expected);
     EXPECT_EQ(errorOf(repaired(bytes, anatomy)), expected);
@@ -57,8 +57,7 @@ TEST(HostileHeader, sizesBeyondTheLimits) {
        {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27}, Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
         Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
     Header header = plausible();
-    header.size = size;
-    header.octaves = 28;
+    header.size = {size[0], size[1], size[2], 1};
     EXPECT_EQ(errorOf(header), Error::OverLimit) << testing::PrintToString(size);
   }
 }
@@ -71,40 +70,39 @@ TEST(HostileHeader, moreVerticesThanTheLimits) {
   EXPECT_EQ(errorOf(header), Error::OverLimit);
 }
 
-TEST(HostileHeader, aBaseThatIsTooFine) {
+TEST(HostileHeader, sizesOfOtherDimensions) {
   Header header = plausible();
-  header.size = {100, 100, 100};
-  header.octaves = 3;
-  EXPECT_EQ(errorOf(header), Error::Corrupt);
-  header.octaves = 29;
-  EXPECT_EQ(errorOf(header), Error::Corrupt);
-  header.octaves = 255;
-  EXPECT_EQ(errorOf(header), Error::Corrupt);
-}
-
-TEST(HostileHeader, moreOctavesThanAreNeeded) {
-  Header header = plausible();
-  header.octaves = 28;
+  header.dimension = 4;
+  header.size = {1 << 10, 1 << 10, 1 << 10, (1 << 28) - 1};
+  EXPECT_EQ(errorOf(header), Error::OverLimit);
+  header.size = {9, 9, 9, 9};
   EXPECT_EQ(errorOf(header), Error::None);
+  header.dimension = 2;
+  EXPECT_EQ(errorOf(header), Error::None);
+  header.size = {(1 << 28) - 1, (1 << 28) - 1, 1, 1};
+  EXPECT_EQ(errorOf(header), Error::OverLimit);
 }
 
 TEST(HostileHeader, numbersThatAreNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   for (double bad : {nan, infinity, -infinity}) {
-    std::vector<Header> headers(6, plausible());
+    std::vector<Header> headers(5, plausible());
     headers[0].isovalue = bad;
-    headers[1].quantum = bad;
-    headers[2].maxError = static_cast<float>(-std::abs(bad));
-    headers[3].placement.spacing[0] = bad;
-    headers[4].placement.origin[1] = bad;
-    headers[5].placement.direction[5] = bad;
+    headers[1].maxError = -std::abs(bad);
+    headers[2].placement.spacing[0] = bad;
+    headers[3].placement.origin[1] = bad;
+    headers[4].placement.direction[5] = bad;
     for (std::size_t i = 0; i < headers.size(); ++i) EXPECT_EQ(errorOf(headers[i]), Error::Corrupt) << i << ": " << bad;
   }
   for (double bad : {0.0, -1.0}) {
-    std::vector<Header> headers(2, plausible());
-    headers[0].quantum = bad;
-    headers[1].placement.spacing[2] = bad;
-    for (const Header& header : headers) EXPECT_EQ(errorOf(header), Error::Corrupt);
+    Header header = plausible();
+    header.placement.spacing[2] = bad;
+    EXPECT_EQ(errorOf(header), Error::Corrupt);
+  }
+  for (double bad : {0x1p1000, 0x1p-1000}) {
+    Header header = plausible();
+    header.quantum = bad;
+    EXPECT_EQ(errorOf(header), Error::Corrupt);
   }
   Header flat = plausible();
   flat.placement.direction = {1, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -130,8 +128,8 @@ TEST(HostileHeader, layersInADisorder) {
     (void)errorOf(assembled(anatomy.header, twice));
     std::swap(swapped[i], swapped[(i + 1) % layers.size()]);
     (void)errorOf(assembled(anatomy.header, swapped));
-    if (anatomy.heads[i].level == anatomy.header.octaves && i > 0 &&
-        anatomy.heads[i - 1].level == anatomy.header.octaves)
+    if (anatomy.heads[i].level == anatomy.header.octaves() && i > 0 &&
+        anatomy.heads[i - 1].level == anatomy.header.octaves())
       continue;
     EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt) << "layer " << i << " twice";
   }
@@ -146,12 +144,12 @@ TEST(HostileHeader, layersInADisorder) {
 
 TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
   Header header = plausible();
-  header.layers = 1;
+  header.bytes = (uint64_t{1} << 62) + 100;
   Bytes bytes;
   ByteWriter out(bytes);
   write(out, header);
   LayerHead head;
-  for (uint64_t length : {uint64_t{1} << 20, uint64_t{1} << 40, (uint64_t{1} << 63) - 1}) {
+  for (uint64_t length : {uint64_t{1} << 20, uint64_t{1} << 40, uint64_t{1} << 62}) {
     Bytes endless = bytes;
     ByteWriter writer(endless);
     head.bytes = length;
@@ -160,6 +158,19 @@ TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
     StreamInfo info;
     EXPECT_EQ(inspect(endless, info), Error::None);
   }
+  head.bytes = header.bytes;
+  ByteWriter writer(bytes);
+  write(writer, head);
+  EXPECT_EQ(errorOf(bytes), Error::Corrupt) << "longer than the stream";
+}
+
+TEST(HostileHeader, moreLayersThanThereAre) {
+  std::vector<std::pair<LayerHead, Bytes>> layers(1000, {LayerHead{LayerKind::Base, 0, 0}, Bytes(4)});
+  for (std::size_t i = 1; i < layers.size(); ++i) layers[i].first.kind = LayerKind::Octaves;
+  const Bytes bytes = assembled(plausible(), layers);
+  EXPECT_EQ(errorOf(bytes), Error::Corrupt);
+  StreamInfo info;
+  EXPECT_EQ(inspect(bytes, info), Error::Corrupt);
 }
 
 }  // namespace

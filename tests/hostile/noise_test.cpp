@@ -12,9 +12,8 @@ namespace {
 
 Header headerOf(const Size& size) {
   Header header;
-  header.size = size;
-  while (std::ranges::any_of(header.base().last, [](int32_t last) { return last > Header::kMostBaseCells; }))
-    ++header.octaves;
+  header.size = {size[0], size[1], size[2], 1};
+  header.countWhole(1);
   return header;
 }
 
@@ -25,7 +24,7 @@ Bytes noiseOf(std::size_t length, uint64_t seed) {
   return bytes;
 }
 
-Bytes fieldsOf(const GeometryPass& pass) {
+Bytes fieldsOf(const GeometryPass<3>& pass) {
   Bytes bytes;
   ByteWriter out(bytes);
   pass.write(out);
@@ -36,19 +35,19 @@ Bytes fieldsOf(const GeometryPass& pass) {
 template <class Payload>
 Bytes streamOf(const Header& header, Payload payload) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  Knowledge known(header);
-  for (int level = 0; level <= header.octaves; ++level) {
+  Knowledge<3> known(header);
+  for (int level = 0; level <= header.octaves(); ++level) {
     const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
     layers.push_back(
         {{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? known.base(ask) : known.refine(ask); })});
   }
   for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      const GeometryPass pass{kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
+      const GeometryPass<3> pass{kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
       Bytes bytes = fieldsOf(pass);
       const Bytes told = payload([&](auto& ask) { known.geometry(ask, pass); });
       bytes.insert(bytes.end(), told.begin(), told.end());
-      layers.push_back({{kind, header.octaves, 0.1, 0, 0}, bytes});
+      layers.push_back({{kind, header.octaves(), 0.1, 0, 0}, bytes});
     }
   }
   return assembled(header, layers);
@@ -99,17 +98,17 @@ struct SteepField {
 TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   const Header header = headerOf({9, 9, 9});
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  Knowledge known(header);
+  Knowledge<3> known(header);
   layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<3>(1, 0.5, [&](auto& ask) { known.base(ask); })});
-  for (int level = 1; level <= header.octaves; ++level) {
+  for (int level = 1; level <= header.octaves(); ++level) {
     layers.push_back(
         {{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
   }
-  const GeometryPass pass{LayerKind::Octaves, Members::AxisEnds, 0, {}, 0, false};
+  const GeometryPass<3> pass{LayerKind::Octaves, Members::AxisEnds, 0, {}, 0, false};
   Bytes geometry = fieldsOf(pass);
   const Bytes steep = told(known.signs, SteepField(), [&](auto& ask) { known.geometry(ask, pass); });
   geometry.insert(geometry.end(), steep.begin(), steep.end());
-  layers.push_back({{LayerKind::Octaves, header.octaves, 0, 0, 0}, geometry});
+  layers.push_back({{LayerKind::Octaves, header.octaves(), 0, 0, 0}, geometry});
   const Bytes bytes = assembled(header, layers);
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::None);
   for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length)
@@ -152,7 +151,7 @@ TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
   for (const Size& size : {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
     const Header header = headerOf(size);
     std::vector<std::pair<LayerHead, Bytes>> layers;
-    for (int level = 0; level <= header.octaves; ++level) {
+    for (int level = 0; level <= header.octaves(); ++level) {
       layers.push_back(
           {{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
     }

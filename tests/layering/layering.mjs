@@ -17,11 +17,15 @@ const PARTS = {
   traversal: ['base_coder.h', 'refinement_coder.h', 'geometry_coder.h'],
   container: ['stream.h', 'stream.cpp'],
   layers: ['layers.h'],
-  polygonizer: ['crossings.h', 'cell_table.h', 'cell_table.cpp', 'polygonizer.h', 'polygonizer.cpp'],
+  polygonizer: [
+    ...['surface.h', 'crossings.h', 'cell_table.h', 'cell_table.cpp', 'polygonizer.h', 'polygonizer.cpp'],
+    ...['contour.h', 'contour.cpp', 'time_slice.h', 'time_slice.cpp'],
+  ],
   field: ['field.h', 'field.cpp'],
   distance: ['source_distance.h', 'source_distance.cpp'],
   source: ['polygonize.cpp'],
   encoder: ['encode.cpp'],
+  reconstruction: ['reconstruction.h', 'reconstruction.cpp'],
   decoder: ['decode.cpp'],
 };
 
@@ -44,7 +48,8 @@ const ARROWS = {
   distance: ['field', 'hierarchy', 'scalars', 'polygonizer'],
   source: ['field', 'hierarchy', 'scalars', 'polygonizer', 'api'],
   encoder: ['field', 'distance', 'layers', 'api'],
-  decoder: ['layers', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+  reconstruction: ['container', 'layers', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+  decoder: ['reconstruction', 'api'],
 };
 
 /** The C++ library as far as the codec needs it: no threads, files, streams, clocks. */

@@ -78,5 +78,40 @@ TEST(Bytes, noBytes) {
   EXPECT_TRUE(in.overrun());
 }
 
+TEST(Bytes, realNumbersComeBack) {
+  const double third = 1.0 / 3;
+  for (double v : {0.0, 0.5, -0.05, 500.5, 127.5, 1e9, -1e20, third, 1e-30, 0.957031, double{0.1F}, 123456.7890123, 0x1p60}) {
+    std::vector<std::byte> bytes;
+    ByteWriter(bytes).real(v);
+    ByteReader in(bytes);
+    EXPECT_EQ(in.real(), v);
+    EXPECT_EQ(in.position(), bytes.size());
+    EXPECT_FALSE(in.overrun());
+  }
+}
+
+TEST(Bytes, shortDecimalsAreShort) {
+  auto length = [](double v) {
+    std::vector<std::byte> bytes;
+    ByteWriter(bytes).real(v);
+    return bytes.size();
+  };
+  EXPECT_EQ(length(0.5), 1u);
+  EXPECT_EQ(length(0.05), 1u);
+  EXPECT_EQ(length(30.5), 2u);
+  EXPECT_EQ(length(500.5), 3u);
+  EXPECT_EQ(length(double{0.1F}), 5u);
+  EXPECT_EQ(length(1.0 / 3), 9u);
+}
+
+TEST(Bytes, smallNumbersOfEitherSignAreShort) {
+  for (int64_t v : {int64_t{0}, int64_t{-1}, int64_t{63}, int64_t{-64}, int64_t{1} << 40, -(int64_t{1} << 40)}) {
+    std::vector<std::byte> bytes;
+    ByteWriter(bytes).zigzag(v);
+    EXPECT_EQ(ByteReader(bytes).zigzag(), v);
+    EXPECT_EQ(bytes.size() == 1, v >= -64 && v < 64);
+  }
+}
+
 }  // namespace
 }  // namespace isostar

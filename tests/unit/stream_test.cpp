@@ -16,8 +16,8 @@ Bytes written(const T& value) {
 }
 
 void expectEqual(const Header& a, const Header& b) {
+  EXPECT_EQ(a.dimension, b.dimension);
   EXPECT_EQ(a.size, b.size);
-  EXPECT_EQ(a.octaves, b.octaves);
   EXPECT_EQ(a.placement.origin, b.placement.origin);
   EXPECT_EQ(a.placement.spacing, b.placement.spacing);
   EXPECT_EQ(a.placement.direction, b.placement.direction);
@@ -29,13 +29,13 @@ void expectEqual(const Header& a, const Header& b) {
   EXPECT_EQ(a.quantum, b.quantum);
   EXPECT_EQ(a.positiveOffset, b.positiveOffset);
   EXPECT_EQ(a.negativeOffset, b.negativeOffset);
-  EXPECT_EQ(a.layers, b.layers);
+  EXPECT_EQ(a.whole, b.whole);
+  EXPECT_EQ(a.bytes, b.bytes);
 }
 
 Header full() {
   Header h;
-  h.size = {1, (1 << 28) - 1, 300};
-  h.octaves = 28;
+  h.size = {1, (1 << 28) - 1, 300, 1};
   h.placement.origin = {-1.5, 1e9, 0.1};
   h.placement.spacing = {1e-3, 2, 1e3};
   h.placement.direction = {0, -1, 0, 1, 0, 0, 0, 0, 1};
@@ -44,24 +44,56 @@ Header full() {
   h.lossless = true;
   h.vertices = uint64_t{1} << 40;
   h.quantum = 0.125;
-  h.layers = 255;
+  h.bytes = uint64_t{1} << 50;
+  return h;
+}
+
+Header small() {
+  Header h;
+  h.dimension = 2;
+  h.size = {256, 256, 1, 1};
+  h.isovalue = 0.5;
+  h.maxError = 0.05;
+  h.vertices = 1000;
+  h.bytes = 2000;
+  h.countWhole(Header::kByteStep);
   return h;
 }
 
 TEST(Header, comesBack) {
   Header whole;
-  whole.size = {2, 3, 4};
+  whole.size = {2, 3, 4, 1};
   whole.isovalue = 99.25;
-  whole.maxError = 0.05F;
-  whole.positiveOffset = 0.75;
-  whole.negativeOffset = 0.25;
-  for (const Header& header : {whole, full()}) {
+  whole.maxError = 0.05;
+  whole.countWhole(1);
+  EXPECT_EQ(whole.positiveOffset, 0.75);
+  EXPECT_EQ(whole.negativeOffset, 0.25);
+  Header sequence = full();
+  sequence.dimension = 4;
+  sequence.size[3] = 12;
+  Header stretched = small();
+  stretched.placement.spacing = {2, 0.1, 0.1};
+  stretched.placement.origin = {-1, 1.0 / 3, 0};
+  for (const Header& header : {whole, full(), small(), stretched, sequence}) {
     const Bytes bytes = written(header);
     Header back;
     std::size_t used = 0;
     ASSERT_EQ(read(bytes, back, used), Error::None);
     EXPECT_EQ(used, bytes.size());
     expectEqual(back, header);
+  }
+}
+
+TEST(Header, ofASmallImageIsSmall) {
+  EXPECT_LE(written(small()).size(), 18u);
+}
+
+TEST(Header, asFewOctavesAsTheBaseAllows) {
+  Header h;
+  for (const auto& [side, octaves] : {std::pair{1, 0}, {5, 0}, {6, 1}, {9, 1}, {10, 2}, {(1 << 28) - 1, 26}}) {
+    h.size = {2, side, 3, 1};
+    EXPECT_EQ(h.octaves(), octaves) << side;
+    EXPECT_LE(h.base<3>().last[1], Header::kMostBaseCells);
   }
 }
 
@@ -98,19 +130,22 @@ TEST(Header, fieldsAtTheirBounds) {
   EXPECT_EQ(errorOf(header), Error::Corrupt);
   header.size[1] = 0;
   EXPECT_EQ(errorOf(header), Error::Corrupt);
-  header = full();
-  header.octaves = 29;
+  header = small();
+  header.size[0] = 0;
   EXPECT_EQ(errorOf(header), Error::Corrupt);
   header = full();
-  header.layers = 256;
+  header.dimension = 4;
+  header.size[3] = 0;
   EXPECT_EQ(errorOf(header), Error::Corrupt);
+  header.dimension = 5;
+  EXPECT_EQ(errorOf(header), Error::UnsupportedVersion);
 }
 
 TEST(LayerHead, comesBack) {
   Header header;
-  header.octaves = 5;
+  header.size = {129, 1, 1, 1};
   for (uint64_t length : {uint64_t{0}, uint64_t{127}, uint64_t{128}, (uint64_t{1} << 63) - 1}) {
-    const LayerHead head{LayerKind::Halving, 5, 0.01, length, 0xDEADBEEF};
+    const LayerHead head{LayerKind::Halving, 5, 0.01, length, length < 1024 ? 0xBEEF : 0xDEADBEEF};
     const Bytes bytes = written(head);
     LayerHead back;
     std::size_t used = 0;
@@ -143,14 +178,28 @@ TEST(LayerHead, errorsKeepFivePercent) {
 
 TEST(LayerHead, aLevelThatTheHeaderLacksIsCorrupt) {
   Header header;
-  header.octaves = 2;
+  header.size = {17, 1, 1, 1};
   LayerHead back;
   std::size_t used = 0;
   EXPECT_EQ(read(written(LayerHead{LayerKind::Refinement, 3, 0, 0, 0}), header, back, used), Error::Corrupt);
 }
 
 TEST(Checksum, isThatOfXxHash32) {
-  EXPECT_EQ(checksum({}), 0x02CC5D05u);
+  EXPECT_EQ(checksum({}), 0x5D05u);
+}
+
+TEST(Checksum, ofALayerCoversItsHead) {
+  const Bytes layer(2000, std::byte{7});
+  const LayerHead head{LayerKind::Refinement, 3, 0.25, layer.size(), 0};
+  for (const std::size_t length : {std::size_t{10}, layer.size()}) {
+    const auto bytes = std::span(layer).first(length);
+    const uint32_t sum = checksum(head, bytes);
+    EXPECT_EQ(sum < 0x10000, length == 10);
+    for (const LayerHead& other : {LayerHead{LayerKind::Octaves, 3, 0.25}, LayerHead{LayerKind::Refinement, 4, 0.25},
+                                   LayerHead{LayerKind::Refinement, 3, 0.3}}) {
+      EXPECT_NE(checksum(other, bytes), sum);
+    }
+  }
 }
 
 }  // namespace

@@ -47,6 +47,22 @@ struct Volume {
   Placement placement;
 };
 
+/// Samples of an image, x fastest, borrowed; what is encoded is its isocontours (§6).
+struct Image {
+  std::span<const float> samples;
+  std::array<int32_t, 2> size{0, 0};
+  std::array<double, 2> origin{0, 0}, spacing{1, 1};
+};
+
+/// Volumes one after the other, time slowest; their isosurfaces are encoded as one surface in four dimensions (§6).
+/// Distances count a frame as one grid step.
+struct Sequence {
+  std::span<const float> samples;
+  std::array<int32_t, 3> size{0, 0, 0};
+  int32_t frames = 0;
+  Placement placement;
+};
+
 struct EncodeOptions {
   double isovalue = 0;
   double maxError = 0.05;  // bound on the two-sided distance, in grid steps along the smallest spacing
@@ -65,6 +81,17 @@ struct MeshOptions {
   Polygonizer polygonizer = Polygonizer::Cubes;
   Frame frame = Frame::World;
   bool normals = true;
+  /// When to cut a sequence, in frames from 0. On a frame it is that frame's own surface; between two, that of the
+  /// scalars in between. A volume's surface is the same at all times.
+  double time = 0;
+};
+
+/// Isocontours: polylines with larger values on their left, where y points up.
+struct Contours {
+  std::vector<float> points;     // x, y of each
+  std::vector<uint32_t> starts;  // of each polyline in `points`, and where the last one ends; closed ones come last
+  uint32_t open = 0;             // so many polylines begin and end at the image's border; of all others the last point joins the first
+  bool positiveCorner = false;   // is the first sample positive? This tells the sides apart where no contour does
 };
 
 /// What a decoder may spend on a stranger's file. The defaults suit a browser tab.
@@ -86,26 +113,32 @@ struct LayerInfo {
 /// What the header and the layers' own heads tell, without decoding.
 struct StreamInfo {
   int version = 0;
-  std::array<int32_t, 3> size{};
+  int dimension = 3;             // 2: an image's contours; 3: a volume's surface; 4: a sequence's surface
+  std::array<int32_t, 3> size{}; // an image's third is 1
+  int32_t frames = 1;            // of a sequence
   Placement placement;
   std::vector<double> isovalues;
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
   double maxError = 0;      // the bound that was asked for; 0 for lossless
   uint64_t vertices = 0;    // of the complete surface that `cubes` makes
-  uint64_t headerBytes = 0; // header and layer heads
-  uint64_t bytes = 0;       // of the whole stream as its layers declare
+  uint64_t headerBytes = 0; // header and the layer heads so far
+  uint64_t bytes = 0;       // of the whole stream, as soon as its header has arrived
   std::vector<LayerInfo> layers;
 };
 
 /// Appends a stream to `out`; on an error `out` is as it was. A surface without vertices is a valid stream.
 [[nodiscard]] Error encode(const Volume&, const EncodeOptions&, std::vector<std::byte>& out);
+[[nodiscard]] Error encode(const Image&, const EncodeOptions&, std::vector<std::byte>& out);
+[[nodiscard]] Error encode(const Sequence&, const EncodeOptions&, std::vector<std::byte>& out);
 
 /// Reads header and layer heads of a stream or of a prefix of one (then: the layers whose heads have arrived).
 [[nodiscard]] Error inspect(std::span<const std::byte>, StreamInfo& out);
 
 /// The source's own surface, as encode() sees it.
 [[nodiscard]] Error polygonize(const Volume&, double isovalue, const MeshOptions&, Mesh& out);
+[[nodiscard]] Error polygonize(const Image&, double isovalue, const MeshOptions&, Contours& out);
+[[nodiscard]] Error polygonize(const Sequence&, double isovalue, const MeshOptions&, Mesh& out);
 
 /// A stream, a layer at a time, as its bytes arrive in pieces of any size. Any bytes are safe to give.
 class Decoder {
@@ -129,7 +162,10 @@ class Decoder {
   [[nodiscard]] double rmsError() const;   // of the last complete layer, grid steps
   [[nodiscard]] bool complete() const;     // all layers are decoded
 
+  /// Of a volume or of a sequence. BadArgument: the stream is an image's, or has no such time.
   [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out) const;
+  /// Of an image: marching squares (`cubes`), or one segment per crossing triangle (`tetrahedra`). BadArgument: the stream is none.
+  [[nodiscard]] Error contours(const MeshOptions&, Contours& out) const;
 
  private:
   struct State;
