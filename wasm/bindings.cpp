@@ -32,6 +32,7 @@ val describeStream(const isostar::StreamInfo& info) {
   val out = val::object(), layers = val::array();
   for (const auto& layer : info.layers) layers.call<void>("push", describeLayer(layer));
   out.set("version", info.version);
+  out.set("dimension", info.dimension);
   out.set("size", arrayOf(info.size));
   out.set("origin", arrayOf(info.placement.origin));
   out.set("spacing", arrayOf(info.placement.spacing));

@@ -111,7 +111,7 @@ bool Decoder::State::readHeader() {
   at = used;
   shown = used;
   known = reconstructionOf(*header, limits);
-  return true;
+  return known != nullptr || fail(Error::UnsupportedVersion);
 }
 
 /// A layer without its end: what there is of it may still show.

@@ -25,7 +25,7 @@ const PARTS = {
   distance: ['source_distance.h', 'source_distance.cpp'],
   source: ['polygonize.cpp'],
   encoder: ['encode.cpp'],
-  reconstruction: ['reconstruction.h', 'reconstruction.cpp'],
+  reconstruction: ['reconstruction.h', 'reconstruction_in.h', 'reconstruction.cpp', 'volumes_only.cpp'],
   decoder: ['decode.cpp'],
 };
 

@@ -123,9 +123,7 @@ export class IsostarSurfaceElement extends Base {
       const decoder = await (sharedDecoder ??= createDecoder());
       const response = await fetch(new URL(src, document.baseURI), { signal });
       const polygonizer = (this.getAttribute('polygonizer') ?? 'cubes') as Polygonizer;
-      for await (const surface of decoder.decode(response, { signal, polygonizer })) {
-        this.#show(surface, Number(response.headers.get('Content-Length')));
-      }
+      for await (const surface of decoder.decode(response, { signal, polygonizer })) this.#show(surface);
       this.dispatchEvent(new CustomEvent('load', { detail: { url: src } }));
     } catch (sourceError) {
       if (!signal.aborted) this.dispatchEvent(new CustomEvent('error', { detail: { type: 'loadfailure', sourceError } }));
@@ -134,11 +132,10 @@ export class IsostarSurfaceElement extends Base {
     }
   }
 
-  /** `total`: the stream's length, or 0 where the server does not tell. */
-  #show(surface: Surface, total: number): void {
+  #show(surface: Surface): void {
     this.#surface = surface;
     this.#view?.show(surface);
-    const totalProgress = surface.final ? 1 : total ? Math.min(1, surface.bytes / total) : 0.5;
+    const totalProgress = surface.bytes / surface.info.bytes;
     this.#progress!.value = totalProgress;
     this.dispatchEvent(new CustomEvent('progress', { detail: { totalProgress, level: surface.level, levels: surface.levels } }));
     this.dispatchEvent(new CustomEvent('level', { detail: surface }));

@@ -6,6 +6,8 @@ import type { StreamInfo, Surface, SurfaceOptions } from './surface.js';
 
 const DEFAULTS = { polygonizer: 'cubes', frame: 'world', normals: true, refinements: 'newest' } as const;
 
+const KINDS: Record<number, string> = { 2: 'the contours of an image', 4: 'a sequence of volumes' };
+
 /** One stream on its way through the raw decoder. */
 export class Session {
   readonly #module: RawModule;
@@ -68,7 +70,10 @@ export class Session {
 
   #failure(): IsostarError | undefined {
     const code = this.#raw.error();
-    return code === 'None' ? undefined : new IsostarError(code as IsostarErrorCode, this.#raw.describeError());
+    if (code === 'None') return undefined;
+    const { dimension } = this.#raw.info();
+    const message = dimension === 3 ? this.#raw.describeError() : `the stream holds ${KINDS[dimension]}; this decoder shows volumes`;
+    return new IsostarError(code as IsostarErrorCode, message);
   }
 
   #surface(): Surface {

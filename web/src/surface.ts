@@ -18,6 +18,8 @@ export interface Layer {
 /** What the stream's header tells, and the heads of the layers decoded so far. */
 export interface StreamInfo {
   readonly version: number;
+  /** 3; other streams are refused with an `IsostarError`. */
+  readonly dimension: number;
   readonly size: readonly [number, number, number];
   readonly origin: readonly [number, number, number];
   readonly spacing: readonly [number, number, number];
@@ -30,7 +32,7 @@ export interface StreamInfo {
   /** Of the complete surface that `cubes` makes. */
   readonly vertices: number;
   readonly headerBytes: number;
-  /** Of the layers whose heads have arrived: the stream's length from its last surface on. */
+  /** Of the whole stream. */
   readonly bytes: number;
   readonly layers: readonly Layer[];
 }

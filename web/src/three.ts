@@ -69,21 +69,20 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     const decoder = this.#ready();
     const credentials = this.crossOrigin === 'anonymous' ? 'same-origin' : 'include';
     const response = await fetch(address, { headers: this.requestHeader, credentials: this.withCredentials ? 'include' : credentials });
-    const length = Number(response.headers.get('Content-Length')) || undefined;
-    return this.#decode(await decoder, response, length, onProgress);
+    return this.#decode(await decoder, response, onProgress);
   }
 
   async #parse(bytes: Uint8Array): Promise<BufferGeometry> {
-    return this.#decode(await this.#ready(), bytes, bytes.length);
+    return this.#decode(await this.#ready(), bytes);
   }
 
-  async #decode(decoder: Decoder, source: Source, total?: number, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+  async #decode(decoder: Decoder, source: Source, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
     const geometry = new BufferGeometry();
     const refinements = onProgress ? 'newest' : 'last';
     for await (const surface of decoder.decode(source, { refinements, ...this.#surfaceOptions })) {
       showSurface(geometry, surface, this.#surfaceOptions);
       if (!onProgress) continue;
-      const progress = new ProgressEvent('progress', { lengthComputable: total !== undefined, loaded: surface.bytes, total: total ?? 0 });
+      const progress = new ProgressEvent('progress', { lengthComputable: true, loaded: surface.bytes, total: surface.info.bytes });
       onProgress(Object.assign(progress, { geometry, surface }));
     }
     return geometry;

@@ -19,7 +19,7 @@ enum class Error : uint8_t {
   None,
   BadArgument,         // the caller's volume or options make no sense
   NotIsostar,          // the first bytes are not ours
-  UnsupportedVersion,  // written by a newer format than this library reads
+  UnsupportedVersion,  // written by a newer format than this library reads, or in a dimension that this build lacks
   Truncated,           // more bytes were needed; feeding them may still succeed
   Corrupt,             // a checksum or a field cannot be true
   OverLimit,           // sound perhaps, but larger than the caller's Limits
