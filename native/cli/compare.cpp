@@ -8,12 +8,16 @@
 #include "cli/choices.h"
 #include "cli/commands.h"
 #include "cli/stream_file.h"
+#include "cli/words.h"
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
 #include "measure/surface_distance.h"
 #include "measure/topology.h"
 #include "mesh_io/mesh_file.h"
+#include "tetrahedra/formats.h"
+#include "tetrahedra/marching_tetrahedra.h"
+#include "tetrahedra/tetrahedra_distance.h"
 #include "volume/placement.h"
 
 namespace isostar::native {
@@ -27,20 +31,41 @@ using measure::Topology;
 struct Arguments {
   std::array<std::string, 2> paths;
   MeshOptions options{.normals = false};
+  std::optional<double> isovalue;  // of tetrahedra
+  std::optional<std::string> scalar;
   std::optional<Units> units;
   bool json = false;
 };
 
 struct Surface {
   Mesh mesh;
-  std::optional<double> step;  // of its grid, in its own coordinates; a mesh file has none
+  std::optional<double> step;                // of its grid, in its own coordinates; a mesh file has none
+  std::unique_ptr<TetrahedralField> source;  // of whose tetrahedra it is the isosurface
 };
 
-Surface load(const std::string& path, const MeshOptions& options) {
-  if (canReadMesh(path)) return {readMesh(path), {}};
+Surface loadTetrahedra(const std::string& path, const Arguments& arguments) {
+  if (!arguments.isovalue) throw UsageFault(path + " needs --iso");
+  auto field = std::make_unique<TetrahedralField>(readTetrahedra(path, arguments.scalar));
+  for (const std::string& remark : field->mesh().remarks) warn(path + ": " + remark);
+  return {isosurfaceOf(field->mesh(), *arguments.isovalue), {}, std::move(field)};
+}
+
+Surface load(const std::string& path, const Arguments& arguments) {
+  const MeshOptions& options = arguments.options;
+  if (isTetrahedral(path)) return loadTetrahedra(path, arguments);
+  if (canReadMesh(path)) return {readMesh(path), {}, {}};
   const Decoder decoder = decodeStream(readFile(path), path);
   const double step = options.frame == Frame::World ? smallestSpacing(decoder.info().placement) : 1;
-  return {surfaceOf(decoder, options, path), step};
+  return {surfaceOf(decoder, options, path), step, {}};
+}
+
+std::optional<SurfaceDistance> distanceBetween(const Surface& a, const Surface& b) {
+  if (a.source && !b.source) {
+    const auto distance = distanceToTetrahedra(b.mesh, *a.source, a.mesh);
+    return distance ? std::optional(SurfaceDistance{distance->bToA, distance->aToB}) : std::nullopt;
+  }
+  return b.source && !a.source ? distanceToTetrahedra(a.mesh, *b.source, b.mesh)
+                               : measure::surfaceDistance(a.mesh, b.mesh);
 }
 
 /// How many of the coordinates' units make one unit of the report.
@@ -107,13 +132,12 @@ void printTopology(const std::string& path, const Topology& t) {
 }
 
 void run(const Arguments& arguments) {
-  const std::array<Surface, 2> surfaces = {load(arguments.paths[0], arguments.options),
-                                           load(arguments.paths[1], arguments.options)};
+  const std::array<Surface, 2> surfaces = {load(arguments.paths[0], arguments), load(arguments.paths[1], arguments)};
   Units units{};
   const double unit = unitOf(arguments, surfaces, units);
   const std::array<Topology, 2> topologies = {measure::topologyOf(surfaces[0].mesh),
                                               measure::topologyOf(surfaces[1].mesh)};
-  const auto distance = measure::surfaceDistance(surfaces[0].mesh, surfaces[1].mesh);
+  const auto distance = distanceBetween(surfaces[0], surfaces[1]);
   if (arguments.json) return printJson(arguments, topologies, distance, unit, units);
   for (size_t i = 0; i < 2; ++i) printTopology(arguments.paths[i], topologies[i]);
   if (!distance) {
@@ -131,8 +155,15 @@ void run(const Arguments& arguments) {
 void addCompare(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("compare", "Tell how far two surfaces are apart, and what they are made of");
   const auto arguments = std::make_shared<Arguments>();
-  command.add_option("a", arguments->paths[0], "A mesh (.ply, .obj, .stl) or a stream")->required();
+  command
+      .add_option("a", arguments->paths[0],
+                  "A mesh (.ply, .obj, .stl), a stream, or tetrahedra (.vtu, .vtk), whose isosurface is taken, "
+                  "and only what lies within their domain of the other")
+      ->required();
   command.add_option("b", arguments->paths[1], "Another")->required();
+  command.add_option("--iso", arguments->isovalue, "The isovalue of tetrahedra")->check(kFinite);
+  command.add_option("--scalar", arguments->scalar, "Which scalar of tetrahedra; else the marked or first")
+      ->option_text("NAME");
   addPolygonizer(command, arguments->options.polygonizer, "How streams become meshes");
   addFrame(command, arguments->options.frame, "Where streams lie: in the world, or sample (i,j,k) at (i,j,k)");
   addUnits(command, arguments->units,

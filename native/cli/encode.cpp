@@ -123,23 +123,28 @@ void run(Arguments& arguments) {
 }  // namespace
 
 void addEncode(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("encode", "Compress the isosurface of a volume, or a closed mesh");
+  CLI::App& command =
+      *app.add_subcommand("encode", "Compress the isosurface of a volume or of tetrahedra, or a closed mesh");
   const auto arguments = std::make_shared<Arguments>();
   EncodeOptions& options = arguments->options;
   VolumeRequest& volume = arguments->source.volume;
   command
       .add_option(
           "volume", volume.path,
-          "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, raw samples, or a closed mesh "
-          "(.ply, .obj, .stl), whose field is the distance to it in grid steps, positive inside, up to 4")
+          "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, raw samples, tetrahedra (.vtu, "
+          ".vtk), or a closed mesh (.ply, .obj, .stl): its distances in grid steps, positive inside, up to 4")
       ->required();
   command.add_option("output", arguments->output, "The stream to write, OUT.isostar; - for standard output")
       ->required();
   command.add_option("--iso", arguments->source.isovalue, "The isovalue; samples above it are inside; 0 for a mesh")
       ->check(kFinite);
   command
-      .add_option("--grid", arguments->source.grid,
-                  text("Samples along the longest axis, for a mesh [default: %d]", kModelGrid))
+      .add_option("--scalar", arguments->source.scalar, "Which scalar of a tetrahedral mesh; else the marked or first")
+      ->option_text("NAME");
+  command
+      .add_option(
+          "--grid", arguments->source.grid,
+          text("Samples along the longest axis, for a mesh [default: %d; for tetrahedra by their size]", kModelGrid))
       ->check(CLI::Range(kSmallestModelGrid, kLargestModelGrid));
   auto* bound = command
                     .add_option("--max-error", options.maxError,

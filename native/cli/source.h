@@ -10,7 +10,8 @@ namespace isostar::native {
 /// What `encode` is told of its input.
 struct SourceRequest {
   VolumeRequest volume;
-  std::optional<int> grid{};  // samples along the longest axis; for meshes, which have no grid of their own
+  std::optional<int> grid{};            // samples along the longest axis; for meshes, which have no grid of their own
+  std::optional<std::string> scalar{};  // which one of a tetrahedral mesh
   std::optional<double> isovalue{};
 };
 

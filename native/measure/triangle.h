@@ -15,5 +15,6 @@ struct Triangle {
 
 /// From the point to the nearest of the triangle's points, squared; also where the triangle is a segment or a point.
 double squaredDistance(const Vector3& point, const Triangle&);
+Vector3 nearestPoint(const Vector3& point, const Triangle&);
 
 }  // namespace isostar::measure

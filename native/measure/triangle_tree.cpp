@@ -72,7 +72,11 @@ void TriangleTree::sortAlongCurve() {
   }
   std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
   std::vector<Corners> sorted(triangles_.size());
-  for (size_t t = 0; t < order.size(); ++t) sorted[t] = triangles_[order[t].index];
+  order_.resize(order.size());
+  for (size_t t = 0; t < order.size(); ++t) {
+    order_[t] = order[t].index;
+    sorted[t] = triangles_[order_[t]];
+  }
   triangles_ = std::move(sorted);
 }
 

@@ -16,6 +16,7 @@ class TriangleTree {
 
   size_t size() const { return triangles_.size(); }
   Triangle triangle(size_t place) const;  // in the order of the curve: neighbours are near each other
+  uint32_t index(size_t place) const { return order_[place]; }  // in the mesh
 
   /// From the point to the surface, exactly. `near` is the place of the nearest triangle: on entry a guess, which saves
   /// time where points follow each other closely. The tree must not be empty.
@@ -45,6 +46,7 @@ class TriangleTree {
   void searchRun(size_t run, const Vector3& point, double& best, uint32_t& near) const;
 
   std::vector<Corners> triangles_;
+  std::vector<uint32_t> order_;
   std::vector<Fan> fans_;  // node n has the children 4n + 1 … 4n + 4; nodes from fans_.size() on are runs of triangles
 };
 

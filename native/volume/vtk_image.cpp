@@ -1,37 +1,25 @@
 // VTK's images: .vti and the legacy .vtk with structured points.
-#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkStructuredPoints.h>
 #include <vtkStructuredPointsReader.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <cstring>
-#include <fstream>
 
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
 #include "volume/formats.h"
 #include "volume/placement.h"
+#include "volume/vtk_errors.h"
 
 namespace isostar::native {
 namespace {
-
-/// An XML file with entities can grow without bound while it is parsed; no VTK file needs them.
-void refuseEntities(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(65536, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<size_t>(file.gcount()));
-  if (head.find("<!DOCTYPE") != std::string::npos || head.find("<!ENTITY") != std::string::npos)
-    throw Failure(path, "has a DOCTYPE or an ENTITY, which no VTK file needs");
-}
 
 SampleType sampleType(const vtkDataArray& array, const std::string& path) {
   const int bytes = array.GetDataTypeSize();
@@ -101,21 +89,11 @@ LoadedVolume load(vtkImageData* image, const std::string& path) {
   return volume;
 }
 
-/// VTK goes on after most of its errors, and misses samples with no more than a warning in its window.
 template <class Reader>
 LoadedVolume readWith(const std::string& path) {
-  bool failed = false;
-  const vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&failed);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
-  vtkOutputWindow& window = *vtkOutputWindow::GetInstance();
-  window.AddObserver(vtkCommand::ErrorEvent, observer);
-  window.AddObserver(vtkCommand::WarningEvent, observer);
   const vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
-  reader->Update();
-  window.RemoveObserver(observer);
-  if (failed || reader->GetErrorCode() != 0) throw Failure(path, "is no VTK image, or it is damaged");
+  if (!updateQuietly(*reader)) throw Failure(path, "is no VTK image, or it is damaged");
   return load(reader->GetOutput(), path);
 }
 

@@ -201,6 +201,40 @@ TEST_F(CommandLine, tellsThatAMeshIsNotClosed) {
       << outcome.words;
 }
 
+/// A tetrahedron whose scalar is x + 2 y, and a triangle.
+std::string tetrahedronInText() {
+  return "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+         "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 2 9\n4 0 1 2 3\n3 0 1 2\nCELL_TYPES 2\n10\n5\n"
+         "POINT_DATA 4\nSCALARS f float 1\nLOOKUP_TABLE default\n0 1 2 0\n";
+}
+
+TEST_F(CommandLine, encodesTetrahedra) {
+  write("mesh.vtk", tetrahedronInText());
+  const Outcome encoded = run({"encode", "mesh.vtk", "mesh.isostar", "--iso", "0.5", "--grid", "33"});
+  if (encoded.words.find("reads no VTK files") != std::string::npos) GTEST_SKIP() << encoded.words;
+  ASSERT_EQ(encoded.status, 0) << encoded.words;
+  EXPECT_NE(encoded.words.find("mesh.vtk: cells that are no tetrahedra, left out: 1\n"), std::string::npos);
+  EXPECT_NE(encoded.words.find("mesh.vtk: sampled at 33 x 33 x 33 points, up to "), std::string::npos);
+  EXPECT_NE(encoded.words.find("mesh.vtk: the surface goes on beyond the mesh's boundary"), std::string::npos);
+  for (const bool swapped : {false, true}) {
+    std::vector<std::string> line = {"compare", "mesh.isostar", "mesh.vtk", "--iso", "0.5", "--json"};
+    if (swapped) std::swap(line[1], line[2]);
+    const auto report = nlohmann::json::parse(run(line).results);
+    EXPECT_EQ(report["units"], "grid");
+    EXPECT_LT(report["symmetric"]["max"].get<double>(), 0.3) << "of a flat surface";
+  }
+}
+
+TEST_F(CommandLine, refusesTetrahedraThatItCannotUse) {
+  write("mesh.vtk", tetrahedronInText());
+  expectFault(2, {"encode", "mesh.vtk", "a.isostar"});
+  expectFault(2, {"encode", "mesh.vtk", "a.isostar", "--iso", "0", "--spacing", "1,1,1"});
+  expectFault(2, {"encode", ball(), "a.isostar", "--iso", "0", "--scalar", "f"});
+  expectFault(2, {"compare", "mesh.vtk", "mesh.vtk"});
+  expectFault(1, {"encode", "none.vtu", "a.isostar", "--iso", "0"});
+  expectFault(1, {"encode", "mesh.vtk", "a.isostar", "--iso", "0", "--scalar", "g"});
+}
+
 TEST_F(CommandLine, leavesAnOldOutputAloneWhereItFails) {
   ball();
   write("cut.nrrd", read("ball.nrrd").substr(0, 5000));

@@ -1,0 +1,245 @@
+// Tetrahedral meshes as fields: what is mended, where they end, their isosurface, and what of them a grid keeps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "files/failure.h"
+#include "measure/surface_distance.h"
+#include "measure/topology.h"
+#include "tetrahedra/marching_tetrahedra.h"
+#include "tetrahedra/mend.h"
+#include "tetrahedra/resample.h"
+#include "tetrahedra/tetrahedra_distance.h"
+#include "tetrahedra/trimmed.h"
+#include "tetrahedral_shapes.h"
+
+namespace isostar::native {
+namespace {
+
+using measure::Vector3;
+
+double linear(const Vector3& p) {
+  return 0.5 * p.x - 0.25 * p.y + p.z;
+}
+
+double ball(const Vector3& p) {
+  return 3 - std::sqrt(squared(p - Vector3{4.1, 4.2, 3.9}));
+}
+
+TetrahedralField fieldOf(TetrahedralMesh mesh) {
+  mend(mesh, "mesh");
+  return TetrahedralField(std::move(mesh));
+}
+
+std::string remarksOf(const TetrahedralMesh& mesh) {
+  std::string words;
+  for (const std::string& remark : mesh.remarks) words += remark + "\n";
+  return words;
+}
+
+std::string complaint(TetrahedralMesh mesh) {
+  try {
+    mend(mesh, "mesh");
+  } catch (const Failure& failure) {
+    return failure.what();
+  }
+  return {};
+}
+
+TEST(Mend, leavesASoundMeshAsItIs) {
+  const TetrahedralMesh before = cubesOfTetrahedra(3, linear);
+  TetrahedralMesh mesh = before;
+  mend(mesh, "mesh");
+  EXPECT_EQ(mesh.tetrahedra, before.tetrahedra);
+  EXPECT_EQ(mesh.values, before.values);
+  EXPECT_EQ(remarksOf(mesh), "");
+}
+
+TEST(Mend, countsWhatItLeavesOutAndTurns) {
+  TetrahedralMesh mesh = cubesOfTetrahedra(2, linear);
+  mesh.points.push_back({NAN, 0, 0});  // in no tetrahedron: nobody asks
+  mesh.values.push_back(NAN);
+  mesh.tetrahedra.push_back({0, 1, 2, 1});
+  mesh.tetrahedra.push_back({0, 1, 2, 4});  // in one plane
+  mesh.tetrahedra.push_back(mesh.tetrahedra[5]);
+  std::swap(mesh.tetrahedra[7][0], mesh.tetrahedra[7][1]);
+  mend(mesh, "mesh");
+  EXPECT_EQ(remarksOf(mesh),
+            "points of no tetrahedron, left out: 1\ntetrahedra without a volume, left out: 2\n"
+            "doubled tetrahedra, left out: 1\ninverted tetrahedra, turned: 1\n");
+  EXPECT_EQ(mesh.tetrahedra.size(), 48u);
+  EXPECT_EQ(mesh.points.size(), 27u);
+}
+
+TEST(Mend, joinsPointsOfOnePlaceAndValue) {
+  TetrahedralMesh apart;
+  for (TetrahedralMesh whole = cubesOfTetrahedra(2, linear); const Corners4& corners : whole.tetrahedra) {
+    const auto first = static_cast<uint32_t>(apart.points.size());
+    apart.tetrahedra.push_back({first, first + 1, first + 2, first + 3});
+    for (uint32_t point : corners) {
+      apart.points.push_back(whole.points[point]);
+      apart.values.push_back(whole.values[point]);
+    }
+  }
+  mend(apart, "mesh");
+  EXPECT_EQ(apart.points.size(), 27u);
+  EXPECT_EQ(apart.tetrahedra.size(), 48u);
+}
+
+TEST(Mend, refusesWhatIsNotFiniteOrHasNoVolume) {
+  TetrahedralMesh mesh = cubesOfTetrahedra(2, linear);
+  mesh.values[3] = NAN;
+  mesh.values[20] = INFINITY;
+  EXPECT_EQ(complaint(mesh), "mesh: not finite: 2 of 27 scalars, the first at point 3");
+  mesh = cubesOfTetrahedra(2, linear);
+  mesh.points[4].y = NAN;
+  EXPECT_EQ(complaint(mesh), "mesh: point 4 is not finite");
+  mesh = cubesOfTetrahedra(2, linear);
+  for (Vector3& point : mesh.points) point.z = 0;
+  EXPECT_EQ(complaint(mesh), "mesh: has no tetrahedron with a volume");
+}
+
+TEST(TetrahedralField, isLinearInsideAndJustBeyond) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
+  uint32_t near = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vector3 point{i * 37 % 101 / 25.0, i * 53 % 101 / 25.0, i * 29 % 101 / 25.0};
+    const bool within = point.x <= 4 && point.y <= 4 && point.z <= 4;
+    ASSERT_EQ(field.inside(point), within);
+    if (within) {
+      ASSERT_NEAR(*field.value(point), linear(point), 1e-5);
+    }
+    ASSERT_NEAR(field.beyond(point + Vector3{0, 0, 5}, 10, near), linear(point + Vector3{0, 0, 5}), 1e-4);
+  }
+  EXPECT_NEAR(field.beyond({1.2, 3.1, 104}, 2, near), linear({1.2, 3.1, 6}), 1e-4) << "it stays as it was at its reach";
+  EXPECT_NEAR(field.domainDistance({2, 1, 2.2}, near), 1, 1e-6);
+  EXPECT_NEAR(field.domainDistance({2, 1, -0.5}, near), -0.5, 1e-6);
+}
+
+TEST(TetrahedralField, endsWhereNoTetrahedronFollows) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(3, linear));
+  const measure::Topology topology = measure::topologyOf(field.boundary().mesh);
+  EXPECT_EQ(topology.triangles, 6u * 9 * 2);
+  EXPECT_EQ(topology.boundaryEdges + topology.misorientedEdges + topology.nonManifoldEdges, 0u);
+  EXPECT_EQ(topology.components, 1u);
+}
+
+TEST(TetrahedralField, doesNotEndAtHangingNodesNorAtUnlikeValuesOfOnePlace) {
+  TetrahedralMesh fine = cubesOfTetrahedra(4, linear), coarse = cubesOfTetrahedra(2, linear);
+  for (Vector3& point : coarse.points) point = {4 + 2 * point.x, 2 * point.y, 2 * point.z};
+  const TetrahedralField hanging = fieldOf(together(fine, coarse));
+  EXPECT_EQ(hanging.boundary().hangingNodes, 16u);  // 25 points of the fine face, 9 of the coarse one
+  uint32_t near = 0;
+  EXPECT_NEAR(hanging.domainDistance({4, 2.2, 1.9}, near), 1.8, 1e-5);
+  EXPECT_NE(remarksOf(hanging.mesh()).find("hanging nodes: 16"), std::string::npos);
+
+  TetrahedralMesh other = fine;
+  for (Vector3& point : other.points) point.x += 4;
+  for (float& value : other.values) value += 100;
+  const TetrahedralField torn = fieldOf(together(fine, other));
+  EXPECT_EQ(torn.boundary().hangingNodes, 0u);
+  EXPECT_NEAR(torn.domainDistance({4, 2.2, 1.9}, near), 1.8, 1e-5);
+}
+
+TEST(MarchingTetrahedra, aBallIsClosedAndItsNormalsPointOut) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, ball));
+  const Mesh surface = isosurfaceOf(field.mesh(), 0);
+  const measure::Topology topology = measure::topologyOf(surface);
+  EXPECT_EQ(topology.boundaryEdges, 0u);
+  EXPECT_EQ(topology.genus(), 0);
+  double volume = 0;
+  for (size_t t = 0; t < surface.triangles.size(); t += 3) {
+    const auto at = [&](size_t c) { return measure::vertexAt(surface.positions, surface.triangles[t + c]); };
+    volume += dot(cross(at(0), at(1)), at(2)) / 6;
+    EXPECT_NEAR(*field.value(at(0)), 0, 1e-5);
+  }
+  EXPECT_NEAR(volume, 4.0 / 3 * 3.14159 * 27, 8) << "positive where triangles are counter-clockwise from outside";
+}
+
+TEST(MarchingTetrahedra, cutsEveryKindOfTetrahedronTheRightWay) {
+  for (unsigned positive = 1; positive < 15; ++positive) {
+    TetrahedralMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {{0, 1, 2, 3}}, {}};
+    Vector3 towardsNegative{};
+    for (unsigned i = 0; i < 4; ++i) {
+      const double sign = positive >> i & 1 ? 1 : -1;
+      mesh.values.push_back(static_cast<float>(sign));
+      towardsNegative = towardsNegative - sign * (mesh.points[i] - Vector3{0.25, 0.25, 0.25});
+    }
+    const Mesh cut = isosurfaceOf(mesh, 0);
+    for (size_t t = 0; t < cut.triangles.size(); t += 3) {
+      const auto at = [&](size_t c) { return measure::vertexAt(cut.positions, cut.triangles[t + c]); };
+      EXPECT_GT(dot(cross(at(1) - at(0), at(2) - at(0)), towardsNegative), 0) << positive;
+    }
+    EXPECT_EQ(measure::topologyOf(cut).misorientedEdges, 0u);
+  }
+}
+
+TEST(Trimmed, endsAtTheDomainsBoundary) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
+  Mesh wide;  // far beyond on all sides, at z = 1.5
+  wide.positions = {-20, -20, 1.5, 20, -20, 1.5, 20, 20, 1.5, -20, 20, 1.5};
+  wide.triangles = {0, 1, 2, 0, 2, 3};
+  EXPECT_TRUE(trimmed(wide, field).triangles.empty()) << "no vertex is inside";
+  Mesh grid;
+  for (int j = 0; j < 17; ++j)
+    for (int i = 0; i < 17; ++i) grid.positions.insert(grid.positions.end(), {i * 0.4f - 1, j * 0.4f - 1, 1.5f});
+  for (uint32_t j = 0; j < 16; ++j)
+    for (uint32_t i = 0; i < 16; ++i)
+      for (uint32_t c : {0u, 1u, 18u, 0u, 18u, 17u}) grid.triangles.push_back(j * 17 + i + c);
+  const Mesh kept = trimmed(grid, field);
+  float low = 9, high = -9;
+  for (size_t v = 0; v < kept.positions.size(); v += 3) {
+    low = std::min(low, kept.positions[v]);
+    high = std::max(high, kept.positions[v]);
+  }
+  EXPECT_NEAR(low, 0, 1e-5);
+  EXPECT_NEAR(high, 4, 1e-5);
+}
+
+TEST(Resample, keepsALinearFieldAndTellsWhereItEnds) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
+  const CubicGrid grid{{-1, -1, -1}, 0.5, {13, 13, 13}};
+  const ResampledField sampled = resample(field, grid, [](double) {});
+  for (int k = 0; k < 13; ++k)
+    for (int j = 0; j < 13; ++j)
+      for (int i = 0; i < 13; ++i) {
+        const Vector3 p = grid.at(i, j, k);
+        const size_t at = static_cast<size_t>((k * 13 + j) * 13 + i);
+        const double depth = std::min({p.x, p.y, p.z, 4 - p.x, 4 - p.y, 4 - p.z});
+        if (depth > -0.6) {
+          ASSERT_NEAR(sampled.samples[at], linear(p), 1e-5);
+        }
+        if (depth >= 0) {
+          ASSERT_NEAR(sampled.domain[at], std::min(4.0, depth / 0.5), 1e-5);
+        } else {
+          ASSERT_LT(sampled.domain[at], -0.99);
+        }
+      }
+}
+
+TEST(Resample, gridsCoverTheMesh) {
+  TetrahedralMesh mesh = cubesOfTetrahedra(8, ball);
+  for (Vector3& point : mesh.points) point.y *= 0.3;
+  const TetrahedralField field = fieldOf(mesh);
+  EXPECT_EQ(gridOver(field, 0, 33, "mesh").size, (std::array<int32_t, 3>{33, 11, 33}));
+  EXPECT_EQ(gridOver(field, 0, {}, "mesh").size[0], gridOver(field, 99, {}, "mesh").size[0])
+      << "without a surface the coarsest";
+  EXPECT_THROW((void)gridOver(field, 0, 2048, "mesh"), Failure);
+}
+
+TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
+  const auto wave = [](const Vector3& p) { return p.z - 4.2 - std::sin(0.7 * p.x) * std::cos(0.5 * p.y); };
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, wave));
+  const CubicGrid grid = gridOver(field, 0, 65, "mesh");
+  const ResampledField sampled = resample(field, grid, [](double) {});
+  Volume volume{sampled.samples, grid.size, {}};
+  volume.placement.spacing = {grid.step, grid.step, grid.step};
+  Mesh surface;
+  ASSERT_EQ(polygonize(volume, 0, {.normals = false}, surface), Error::None);
+  const auto distance = distanceToTetrahedra(surface, field, isosurfaceOf(field.mesh(), 0));
+  EXPECT_LT(distance->symmetric().max, 0.5 * grid.step);
+  EXPECT_LT(distance->symmetric().rms, 0.1 * grid.step);
+}
+
+}  // namespace
+}  // namespace isostar::native
