@@ -71,16 +71,18 @@ class DistanceBound {
 
   /// On the edges of a finest simplex.
   [[nodiscard]] double distance(const TaggedSimplex<D>& finest, const LinearFunction<D>& linear) const {
-    const LinearFunction<D> truth(*hierarchy_, finest,
-                                  [&](const auto& v) { return (*source_)(hierarchy_->position(v)); });
     const auto here = at(finest, linear);
     Corners there;
     for (int i = 0; i <= D; ++i) there[i] = (*source_)(hierarchy_->position(finest.vertices[i]));
+    if (!crossed(here) && !crossed(there)) return 0;
+    const LinearFunction<D> truth(*hierarchy_, finest,
+                                  [&](const auto& v) { return (*source_)(hierarchy_->position(v)); });
+    const double steepness = linear.steepness(), trueSteepness = truth.steepness();
     double farthest = 0;
     for (int i = 0; i <= D; ++i) {
       for (int j = i + 1; j <= D; ++j) {
-        farthest = std::max({farthest, offAtCrossing(there[i], there[j], here[i], here[j], linear.steepness()),
-                             offAtCrossing(here[i], here[j], there[i], there[j], truth.steepness())});
+        farthest = std::max({farthest, offAtCrossing(there[i], there[j], here[i], here[j], steepness),
+                             offAtCrossing(here[i], here[j], there[i], there[j], trueSteepness)});
       }
     }
     return farthest;

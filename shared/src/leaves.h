@@ -67,28 +67,55 @@ void forEachLeafAround(const Rbmt<D>& mesh, const typename Hierarchy<D>::Vertex&
   forEachBaseCell<D>(first, end, [&](const Coordinates<D>& cell) { forEachBaseSimplex(hierarchy, cell, look); });
 }
 
-/// May samples between two corners (inclusive, in the box) have both signs? No false "no"; asks a word a brick.
+/// Which signs the samples of a brick between two corners (inclusive) have: bit 0 negative, bit 1 positive.
 template <int D>
-bool mayCross(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& lowest,
-              const typename Hierarchy<D>::Vertex& highest) {
+unsigned signsBetween(const Brick<D>& brick, const typename Hierarchy<D>::Vertex& lowest,
+                      const typename Hierarchy<D>::Vertex& highest) {
+  const unsigned mask = (0xFFu >> (7 - (highest[0] - lowest[0]))) << lowest[0] & 0xFF;
+  unsigned seen = 0;
+  for (auto v = lowest;;) {
+    std::size_t row = 0;
+    for (int a = D - 1; a >= 1; --a) row = row * kBrickSide + static_cast<std::size_t>(v[a]);
+    const unsigned bits = brick.rows[row] & mask;
+    seen |= (bits != 0 ? 2u : 0u) | (bits != mask ? 1u : 0u);
+    int a = 1;
+    for (; a < D && ++v[a] > highest[a]; ++a) v[a] = lowest[a];
+    if (a == D || seen == 3) return seen;
+  }
+}
+
+/// Have the samples between two corners (inclusive, in the box) both signs?
+template <int D>
+bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& lowest,
+                    const typename Hierarchy<D>::Vertex& highest) {
   Coordinates<D> first, end;
   for (int a = 0; a < D; ++a) {
     first[a] = lowest[a] / kBrickSide;
     end[a] = highest[a] / kBrickSide + 1;
   }
-  const uint32_t uniform = signs.index(signs.table().place(first));
-  if (uniform > Signs<D>::kPositive) return true;
-  for (auto brick = first;;) {
-    if (signs.index(signs.table().place(brick)) != uniform) return true;
+  unsigned seen = 0;
+  for (auto at = first;;) {
+    const uint32_t index = signs.index(signs.table().place(at));
+    if (index <= Signs<D>::kPositive) {
+      seen |= 1u << index;
+    } else {
+      Coordinates<D> low, high;
+      for (int a = 0; a < D; ++a) {
+        low[a] = std::max(lowest[a] - at[a] * kBrickSide, 0);
+        high[a] = std::min(highest[a] - at[a] * kBrickSide, kBrickSide - 1);
+      }
+      seen |= signsBetween<D>(signs.brick(index), low, high);
+    }
+    if (seen == 3) return true;
     int a = 0;
-    for (; a < D && ++brick[a] == end[a]; ++a) brick[a] = first[a];
+    for (; a < D && ++at[a] == end[a]; ++a) at[a] = first[a];
     if (a == D) return false;
   }
 }
-/// May samples of a simplex have both signs? Signs are those of the box's samples.
+/// May samples of a simplex have both signs, those of the box around it? Signs are those of the box's samples.
 template <int D>
 bool mayCross(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
-  return mayCross(signs, hierarchy.position(s.lowest()), hierarchy.position(s.highest()));
+  return crossesBetween(signs, hierarchy.position(s.lowest()), hierarchy.position(s.highest()));
 }
 
 /// Has the simplex vertices of both signs?

@@ -97,7 +97,7 @@ TYPED_TEST(DecompositionTest, extremesAreTheBaseAndTheFullMesh) {
 /// The full mesh where the surface is, coarse elsewhere; then welded within a distance.
 TYPED_TEST(DecompositionTest, theDistanceBoundHoldsAndSaves) {
   constexpr int D = TypeParam::value;
-  const auto ball = sampledBall<D>(D == 4 ? 8 : 32);
+  const auto ball = sampledBall<D>(D == 4 ? 8 : 29);
   const Hierarchy<D> hierarchy(ball.box, D == 4 ? 2 : 4);
   Rbmt<D> mesh(hierarchy);
   refine(mesh, [&](const TaggedSimplex<D>& s) { return !mayCross(ball.signs, hierarchy, s); });
@@ -117,7 +117,7 @@ TYPED_TEST(DecompositionTest, theDistanceBoundHoldsAndSaves) {
 
 TYPED_TEST(DecompositionTest, aPlaneNeedsNoVertices) {
   constexpr int D = TypeParam::value;
-  const auto plane = sampledPlane<D>(D == 4 ? 8 : 16);
+  const auto plane = sampledPlane<D>(D == 4 ? 7 : 13);
   const Hierarchy<D> hierarchy(plane.box, D == 4 ? 2 : 3);
   const DistanceBound<D, SampledShape<D>, SampledShape<D>> keeps(hierarchy, plane.signs, plane, plane, 1e-4);
   auto mesh = Rbmt<D>::full(hierarchy);
