@@ -112,6 +112,7 @@ bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& 
     if (a == D) return false;
   }
 }
+
 /// May samples of a simplex have both signs, those of the box around it? Signs are those of the box's samples.
 template <int D>
 bool mayCross(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
