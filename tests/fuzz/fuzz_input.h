@@ -41,7 +41,7 @@ inline void demand(bool truth) {
   if (!truth) std::abort();
 }
 
-/// Makes both meshes of what a decoder shows.
+/// Makes both meshes, or contours, of what a decoder shows.
 inline void demandSoundMeshes(const Decoder& decoder) {
   for (const Polygonizer polygonizer : {Polygonizer::Cubes, Polygonizer::Tetrahedra}) {
     Mesh mesh;
@@ -53,6 +53,9 @@ inline void demandSoundMeshes(const Decoder& decoder) {
     for (float v : mesh.positions) demand(std::isfinite(v));
     for (float v : mesh.normals) demand(std::isfinite(v));
   }
+  Contours contours;
+  (void)decoder.contours({}, contours);
+  for (float v : contours.points) demand(std::isfinite(v));
 }
 
 inline void demandHarmless(std::span<const std::byte> stream) {

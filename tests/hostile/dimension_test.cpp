@@ -1,0 +1,82 @@
+// Damaged streams of images and of sequences: the other dimensions of the same templates.
+#include <random>
+
+#include "anatomy.h"
+#include "harmless.h"
+#include "property/sampled_image.h"
+
+namespace isostar {
+namespace {
+
+void showHarmlessly(std::span<const std::byte> bytes) {
+  const Bytes copy(bytes.begin(), bytes.end());
+  Decoder decoder(kTight);
+  decoder.feed(copy);
+  decoder.finish();
+  while (decoder.advance()) {
+    for (const Polygonizer polygonizer : kPolygonizers) {
+      Contours contours;
+      const Error error = decoder.contours({.polygonizer = polygonizer}, contours);
+      EXPECT_NE(error, Error::Truncated);
+      for (float v : contours.points) EXPECT_TRUE(std::isfinite(v));
+      for (const double time : {0.0, 0.7}) {
+        Mesh mesh;
+        if (decoder.mesh({polygonizer, Frame::World, true, time}, mesh) == Error::None) expectSound(mesh);
+      }
+    }
+  }
+  EXPECT_TRUE(decoder.complete() || decoder.error() != Error::None);
+}
+
+std::vector<Bytes> goodStreams() {
+  const SampledImage image = imagesOf({13, 10})[3];
+  EncodeOptions options;
+  options.maxError = 0.1;
+  std::vector<Bytes> streams{encoded(image, options)};
+  options.polygonizer = Polygonizer::Tetrahedra;
+  streams.push_back(encoded(imagesOf({6, 7})[4], options));
+  std::vector<float> samples;
+  for (int i = 0; i < 4 * 5 * 3 * 3; ++i) samples.push_back(static_cast<float>(noise(8)(i, 0, 0)));
+  options.polygonizer = Polygonizer::Cubes;
+  streams.emplace_back();
+  EXPECT_EQ(encode(Sequence{samples, {4, 5, 3}, 3, {}}, options, streams.back()), Error::None);
+  return streams;
+}
+
+TEST(HostileDimensions, flippedBitsAreHarmless) {
+  for (const Bytes& good : goodStreams()) {
+    const Anatomy anatomy(good);
+    Bytes bad = good;
+    for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
+      SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
+      bad[bit / 8] ^= std::byte{1} << (bit % 8);
+      showHarmlessly(bad);
+      showHarmlessly(repaired(bad, anatomy));
+      bad[bit / 8] ^= std::byte{1} << (bit % 8);
+    }
+  }
+}
+
+TEST(HostileDimensions, noiseIsHarmless) {
+  std::mt19937_64 random(4);
+  for (const int dimension : {2, 4}) {
+    for (const Coordinates<4>& size : {Coordinates<4>{9, 9, 9, 9}, {1 << 10, 1 << 10, 1, 2}, {2, 3, 40, 1}, {60, 5, 30, 20}}) {
+      Header header;
+      header.dimension = dimension;
+      header.size = size;
+      header.countWhole(1);
+      std::vector<std::pair<LayerHead, Bytes>> layers;
+      for (int level = 0; level <= header.octaves() + 3; ++level) {
+        const LayerKind kind = level == 0 ? LayerKind::Base : level <= header.octaves() ? LayerKind::Refinement : LayerKind::Octaves;
+        Bytes payload(100);
+        for (std::byte& b : payload) b = static_cast<std::byte>(random());
+        if (kind == LayerKind::Octaves) payload[0] = static_cast<std::byte>(level & 1);
+        layers.push_back({{kind, std::min(level, header.octaves()), 0.1, 0, 0}, payload});
+      }
+      showHarmlessly(assembled(header, layers));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isostar
