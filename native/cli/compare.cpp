@@ -53,7 +53,7 @@ Surface loadTetrahedra(const std::string& path, const Arguments& arguments) {
 Surface load(const std::string& path, const Arguments& arguments) {
   const MeshOptions& options = arguments.options;
   if (isTetrahedral(path)) return loadTetrahedra(path, arguments);
-  if (canReadMesh(path)) return {readMesh(path), {}, {}};
+  if (isMeshFile(path)) return {readMesh(path), {}, {}};
   const Decoder decoder = decodeStream(readFile(path), path);
   const double step = options.frame == Frame::World ? smallestSpacing(decoder.info().placement) : 1;
   return {surfaceOf(decoder, options, path), step, {}};
@@ -157,7 +157,7 @@ void addCompare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   command
       .add_option("a", arguments->paths[0],
-                  "A mesh (.ply, .obj, .stl), a stream, or tetrahedra (.vtu, .vtk), whose isosurface is taken, "
+                  "A mesh (.ply, .obj, .stl, .glb), a stream, or tetrahedra (.vtu, .vtk), whose isosurface is taken, "
                   "and only what lies within their domain of the other")
       ->required();
   command.add_option("b", arguments->paths[1], "Another")->required();

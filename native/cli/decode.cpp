@@ -69,7 +69,7 @@ std::string closingLine(const Arguments& arguments, const WorkReport& report, co
 }
 
 void run(const Arguments& arguments) {
-  if (!canWriteMesh(arguments.output))
+  if (!isMeshFile(arguments.output))
     throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb", arguments.output.c_str()));
   requireDifferent(arguments.input, arguments.output);
   requireWritable(arguments.output);

@@ -132,7 +132,7 @@ void addEncode(CLI::App& app) {
       .add_option(
           "volume", volume.path,
           "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, raw samples, tetrahedra (.vtu, "
-          ".vtk), or a closed mesh (.ply, .obj, .stl): its distances in grid steps, positive inside, up to 4")
+          ".vtk), or a closed mesh (.ply, .obj, .stl, .glb): its distances in grid steps, positive inside, up to 4")
       ->required();
   command.add_option("output", arguments->output, "The stream to write, OUT.isostar; - for standard output")
       ->required();

@@ -14,7 +14,7 @@ namespace isostar::native {
 namespace {
 
 bool isModel(const SourceRequest& request) {
-  return !request.volume.size && canReadMesh(request.volume.path);
+  return !request.volume.size && isMeshFile(request.volume.path);
 }
 
 LoadedVolume readModel(const SourceRequest& request) {

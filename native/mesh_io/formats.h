@@ -18,5 +18,6 @@ void writeGlb(const Mesh&, OutputFile&);
 Mesh readPly(std::span<const std::byte>, const std::string& path);
 Mesh readObj(std::span<const std::byte>, const std::string& path);
 Mesh readStl(std::span<const std::byte>, const std::string& path);
+Mesh readGlb(std::span<const std::byte>, const std::string& path);
 
 }  // namespace isostar::native

@@ -21,7 +21,7 @@ const Format* formatOf(const std::string& path) {
   static const std::map<std::string, Format> kFormats = {{".ply", {writePly, readPly}},
                                                          {".obj", {writeObj, readObj}},
                                                          {".stl", {writeStl, readStl}},
-                                                         {".glb", {writeGlb, nullptr}}};
+                                                         {".glb", {writeGlb, readGlb}}};
   const auto found = kFormats.find(extensionOf(path));
   return found == kFormats.end() ? nullptr : &found->second;
 }
@@ -39,12 +39,8 @@ void requireSound(const Mesh& mesh, const std::string& path) {
 
 }  // namespace
 
-bool canWriteMesh(const std::string& path) {
+bool isMeshFile(const std::string& path) {
   return formatOf(path) != nullptr;
-}
-
-bool canReadMesh(const std::string& path) {
-  return formatOf(path) && formatOf(path)->read;
 }
 
 void writeMesh(const Mesh& mesh, const std::string& path) {

@@ -159,7 +159,7 @@ TEST_F(CommandLine, refusesFilesItCannotReadOrWrite) {
 
 TEST_F(CommandLine, encodesAClosedMesh) {
   const Mesh model = torus(30, 3, 1);
-  for (const std::string name : {"model.ply", "model.obj", "model.stl"}) {
+  for (const std::string name : {"model.ply", "model.obj", "model.stl", "model.glb"}) {
     writeMesh(model, path(name));
     const Outcome encoded = run({"encode", name, "model.isostar", "--grid", "65"});
     ASSERT_EQ(encoded.status, 0) << encoded.words;

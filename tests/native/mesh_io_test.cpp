@@ -35,7 +35,7 @@ class MeshFile : public ScratchFolder {
 
 TEST_F(MeshFile, plyAndObjKeepEveryBit) {
   for (const Mesh& mesh : {torus(9, 3.1, 0.7), withNormals(torus(9, 3.1, 0.7)), Mesh{}}) {
-    for (const char* name : {"mesh.ply", "mesh.obj"}) {
+    for (const char* name : {"mesh.ply", "mesh.obj", "mesh.glb"}) {
       const Mesh again = roundTrip(mesh, name);
       EXPECT_EQ(again.positions, mesh.positions) << name;
       EXPECT_EQ(again.triangles, mesh.triangles) << name;
@@ -68,6 +68,53 @@ TEST_F(MeshFile, glbIsWellFormed) {
   EXPECT_EQ(file.substr(binary, 96), bytesOf(mesh.positions));
   EXPECT_EQ(json["buffers"][0]["byteLength"], file.size() - binary);
   EXPECT_EQ(binary % 4, 0u);
+}
+
+/// A GLB of one triangle with 16-bit indices behind its positions, in a scene of these nodes.
+std::string glb(const std::string& nodes, const std::string& more = "") {
+  std::string json = "{\"scenes\":[{\"nodes\":[0]}],\"nodes\":" + nodes +
+                     ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+                     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+                     "{\"bufferView\":1,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"}],"
+                     "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},"
+                     "{\"buffer\":0,\"byteOffset\":36,\"byteLength\":6}]" +
+                     more + "}";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string binary =
+      bytesOf(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}) + bytesOf(std::vector<uint16_t>{2, 1, 0, 0});
+  const auto word = [](size_t value) { return bytesOf(static_cast<uint32_t>(value)); };
+  return "glTF" + word(2) + word(28 + json.size() + binary.size()) + word(json.size()) + "JSON" + json +
+         word(binary.size()) + std::string("BIN\0", 4) + binary;
+}
+
+TEST_F(MeshFile, glbNodesLieWhereTheSceneHasThem) {
+  write("a.glb",
+        glb(R"([{"children":[1],"translation":[10,0,0]},{"mesh":0,"scale":[2,2,2],"rotation":[0,0,0.6,0.8]}])"));
+  const Mesh mesh = readMesh(path("a.glb"));
+  EXPECT_EQ(mesh.triangles, (std::vector<uint32_t>{2, 1, 0}));
+  EXPECT_NEAR(mesh.positions[3], 10 + 2 * 0.28, 1e-6);  // x is turned by twice the angle of cosine 0.8
+  EXPECT_NEAR(mesh.positions[4], 2 * 0.96, 1e-6);
+  write("b.glb", glb(R"([{"mesh":0,"matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,5,6,7,1]}])"));
+  const Mesh turned = readMesh(path("b.glb"));
+  EXPECT_EQ((std::vector<float>(turned.positions.begin() + 3, turned.positions.begin() + 6)),
+            (std::vector<float>{5, 7, 7}));
+}
+
+TEST_F(MeshFile, refusesDamagedGlb) {
+  EXPECT_NE(complaint("a.glb", glb(R"([{"children":[0],"mesh":0}])")).find("part of itself"), std::string::npos);
+  EXPECT_NE(complaint("a.glb", glb(R"([{"children":[7]}])")).find("damaged"), std::string::npos);
+  EXPECT_NE(complaint("a.glb", glb(R"([{"mesh":"x"}])")).find("damaged"), std::string::npos);
+  EXPECT_NE(complaint("a.glb", glb(R"([{"mesh":0}])", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"))
+                .find("KHR_draco"),
+            std::string::npos);
+  const std::string whole = glb(R"([{"mesh":0}])");
+  EXPECT_EQ(complaint("a.glb", whole), "");
+  for (size_t length = 0; length < whole.size(); ++length) EXPECT_NE(complaint("a.glb", whole.substr(0, length)), "");
+  for (size_t at = 0; at < whole.size(); ++at) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 9);
+    (void)complaint("a.glb", changed);  // a line or a mesh, no crash
+  }
 }
 
 TEST_F(MeshFile, glbOfNothingIsAnEmptyScene) {
