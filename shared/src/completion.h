@@ -29,7 +29,7 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
-      const auto guess = Prediction<D>::of(shapes, window, tube.positive(row, x), r, x, steps);
+      const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, steps);
       const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(guess.magnitude, steps.eighth()), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });

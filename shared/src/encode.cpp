@@ -70,8 +70,8 @@ class LayerWriter {
 /// How far a crossing may move along an edge for a distance in grid steps along the smallest spacing; edges along
 /// several axes only count for tetrahedra.
 template <int D>
-typename GeometryCoder<D>::Allowed allowed(const Header& header, double distance) {
-  typename GeometryCoder<D>::Allowed result{};
+typename HalvingCoder<D>::Allowed allowed(const Header& header, double distance) {
+  typename HalvingCoder<D>::Allowed result{};
   for (unsigned axes = 1; axes < result.size(); ++axes) {
     if (header.polygonizer == Polygonizer::Cubes && !std::has_single_bit(axes)) continue;
     result[axes] = static_cast<uint32_t>(std::clamp(65536 * distance / edgeLength(header.placement, axes), 0.0, 65536.0));

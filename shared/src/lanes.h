@@ -19,7 +19,4 @@ inline Lanes clamped(Lanes value, int32_t bound) {
   return value > bound ? Lanes{} + bound : value;
 }
 
-/// Three neighbours on a line, the middle one twice.
-inline int32_t weighed(Lanes line) { return line[0] + 2 * line[1] + line[2]; }
-
 }  // namespace isostar

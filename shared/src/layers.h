@@ -2,7 +2,9 @@
 #pragma once
 
 #include "base_coder.h"
-#include "geometry_coder.h"
+#include "halving_coder.h"
+#include "octave.h"
+#include "octaves_coder.h"
 #include "refinement_coder.h"
 #include "stream.h"
 
@@ -11,7 +13,7 @@ namespace isostar {
 /// What a geometry layer is to do, decided by the encoder.
 template <int D>
 struct GeometryPass {
-  using Allowed = typename GeometryCoder<D>::Allowed;
+  using Allowed = typename HalvingCoder<D>::Allowed;
 
   LayerKind kind = LayerKind::Octaves;
   Members members = Members::AxisEnds;
@@ -88,9 +90,9 @@ struct Knowledge {
     }
     if (pass.kind == LayerKind::Octaves) {
       told[static_cast<std::size_t>(pass.members)] = true;
-      coder.tellOctaves(ask, signs, scalars, pass.members, pass.depth, active);
+      octaves.tell(ask, signs, scalars, pass.members, pass.depth, active);
     } else {
-      coder.refine(ask, signs, scalars, pass.members, pass.allowed, pass.most, pass.selective, active);
+      halvings.tell(ask, signs, scalars, {pass.members, pass.allowed, pass.most, pass.selective}, active);
     }
   }
 
@@ -100,7 +102,8 @@ struct Knowledge {
   std::vector<uint8_t> active;  // bricks of the finest octave; empty before the first geometry layer
   Scalars<D> scalars;
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
-  GeometryCoder<D> coder;
+  OctavesCoder<D> octaves;
+  HalvingCoder<D> halvings;
 };
 
 }  // namespace isostar

@@ -33,8 +33,8 @@ struct RowPacks {
     }
     return packs;
   }
-  /// Turns the sign at bit `at` of the row in the middle.
-  void flip(int at) { words[kWords / 2] ^= uint64_t{1} << (2 * kBits + at); }
+  /// Turns the sign at bit `at` of the row in the middle, if it is to be turned (1 or 0).
+  void flip(unsigned turned, int at) { words[kWords / 2] ^= uint64_t{turned} << (2 * kBits + at); }
 
   /// How many vertices of a mask are positive, seen from bit `at` of the row in the middle.
   [[nodiscard]] unsigned count(const RowPacks& mask, int at) const {

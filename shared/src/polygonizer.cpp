@@ -15,15 +15,15 @@ namespace {
 
 constexpr int kRows = 64;  // of a brick
 
-/// Where the crossed edges of a brick are in the list of vertices: by set of axes, then by row.
+/// Where the crossed edges of a brick along one set of axes are in the list of vertices, by row.
 struct EdgeIndex {
-  std::array<std::array<uint32_t, kRows>, 7> first;
-  std::array<std::array<uint8_t, kRows>, 7> crossed;
+  std::array<uint32_t, kRows> first;
+  std::array<uint8_t, kRows> crossed;
 
   EdgeIndex() {}  // leaves them as they are: filling them with zeros first would take longer than counting
 
-  [[nodiscard]] uint32_t vertex(unsigned axes, unsigned row, unsigned x) const {
-    return first[axes - 1][row] + static_cast<uint32_t>(std::popcount(crossed[axes - 1][row] & ((1u << x) - 1u)));
+  [[nodiscard]] uint32_t vertex(unsigned row, unsigned x) const {
+    return first[row] + static_cast<uint32_t>(std::popcount(crossed[row] & ((1u << x) - 1u)));
   }
 };
 
@@ -64,7 +64,7 @@ class Polygonization {
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) slot_[place] = bricks++;
     }
-    index_.resize(bricks);
+    index_.resize(bricks * sets());
     windows_.resize(bricks);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] == 0) continue;
@@ -90,22 +90,29 @@ class Polygonization {
 
   [[nodiscard]] unsigned lastAxes() const { return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u; }
   [[nodiscard]] bool uses(unsigned axes) const { return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes); }
+  /// How many sets of axes edges run along.
+  [[nodiscard]] std::size_t sets() const { return options_.polygonizer == Polygonizer::Cubes ? 3 : 7; }
+  [[nodiscard]] static std::array<uint8_t, 8> numbersOfSets(Polygonizer polygonizer) {
+    if (polygonizer == Polygonizer::Cubes) return {0, 0, 1, 0, 2, 0, 0, 0};
+    return {0, 0, 1, 2, 3, 4, 5, 6};
+  }
+  [[nodiscard]] EdgeIndex* indexOf(std::size_t place) { return &index_[slot_[place] * sets()]; }
 
   void countEdges(std::size_t place) {
     const auto brick = signs_.table().brick(place);
     Window<3>& window = windows_[slot_[place]];
     window.load(signs_, brick);
-    EdgeIndex& index = index_[slot_[place]];
     bool inner = true;
     for (int a = 0; a < 3; ++a) inner = inner && (brick[a] + 1) * kBrickSide <= lattice_.last[a];
     auto number = static_cast<uint32_t>(vertices_);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
+      EdgeIndex& index = indexOf(place)[number_[axes]];
       for (unsigned r = 0; r < kRows; ++r) {
         const Bits inside = inner ? 0xFF : edgesInside(lattice_, brick, r, axes);
         const Bits bits = crossedEdges(window, Window<3>::kOwnRows[r], r, axes) & inside;
-        index.crossed[axes - 1][r] = static_cast<uint8_t>(bits);
-        index.first[axes - 1][r] = number;
+        index.crossed[r] = static_cast<uint8_t>(bits);
+        index.first[r] = number;
         number += static_cast<uint32_t>(std::popcount(bits));
       }
     }
@@ -121,14 +128,14 @@ class Polygonization {
   [[nodiscard]] bool known(int at) const { return scalars_.value[at] != Scalars<3>::kUnknown; }
 
   void placeVertices(std::size_t place) {
-    const EdgeIndex& index = index_[slot_[place]];
     const auto brick = signs_.table().brick(place);
     scalars_.load(surface_.scalars, signs_.table(), brick);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
+      const EdgeIndex& index = indexOf(place)[number_[axes]];
       for (unsigned r = 0; r < kRows; ++r) {
-        uint32_t id = index.first[axes - 1][r];
-        for (Bits open = index.crossed[axes - 1][r]; open != 0; open &= open - 1) {
+        uint32_t id = index.first[r];
+        for (Bits open = index.crossed[r]; open != 0; open &= open - 1) {
           placeVertex(brick, axes, r, static_cast<unsigned>(std::countr_zero(open)), id++);
         }
       }
@@ -188,7 +195,7 @@ class Polygonization {
         inside = inside && brick[a] + 1 < signs_.table().count(a);
         other += signs_.table().stride(a);
       }
-      if (inside && slot_[other] != kNone) near[c] = &index_[slot_[other]];
+      if (inside && slot_[other] != kNone) near[c] = indexOf(other);
     }
     for (unsigned r = 0; r < kRows; ++r) {
       const Bits inside = edgesInside(lattice_, brick, r, 7);
@@ -234,7 +241,7 @@ class Polygonization {
       const CellEdge edge = shape.edges[e];
       const unsigned ex = x + (edge.corner & 1);
       const EdgeRow& row = rows[(edge.corner >> 1) | (ex & kBrickSide) >> 1];
-      ids[e] = row.index->vertex(edge.axes, row.row, ex & 7);
+      ids[e] = row.index[number_[edge.axes]].vertex(row.row, ex & 7);
     }
     uint32_t* next = out_.triangles.data() + corners_;
     corners_ += std::size_t{shape.triangleCount} * 3;
@@ -256,7 +263,8 @@ class Polygonization {
   Mesh& out_;
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
-  std::vector<EdgeIndex> index_;
+  std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);  // of a set of axes
+  std::vector<EdgeIndex> index_;                                          // by brick, then by set of axes
   std::vector<Window<3>> windows_;
   uint64_t vertices_ = 0;
   std::size_t corners_ = 0;  // of triangles, so far

@@ -14,8 +14,17 @@ namespace isostar {
 template <int D>
 class RefinementCoder {
  public:
-  RefinementCoder()
-      : near_(kSets << kNearBits), counts_(kSets << kCountBits), wide_(kSets << kWideBits) {
+  RefinementCoder() {
+    uint32_t near = 0, counted = 0;
+    for (unsigned set = 1; set < kSets; ++set) {
+      const auto& n = neighbourhoods_[set];
+      tables_[set] = {near, counted};
+      near += 1u << std::min(n.diamondCount() + 4, kMostNearBits);
+      counted += static_cast<uint32_t>((n.cornerCount + 1) * (n.acrossCount + 1)) << kSiblingBits;
+    }
+    near_.resize(near);
+    counts_.resize(counted);
+    wide_.resize(counted);
     weights_.fill(Mixer<kInputs>::fresh());
   }
 
@@ -35,7 +44,7 @@ class RefinementCoder {
 
  private:
   static constexpr int kInputs = 3;
-  static constexpr int kNearBits = 14, kCountBits = 14, kWideBits = 14;
+  static constexpr int kMostNearBits = 14, kSiblingBits = 7;
   static constexpr unsigned kSets = 1u << D;
   static constexpr std::size_t kGroup = 64;  // quiet bricks in a row that share a flag
   static constexpr std::size_t kBrickRows = power(kBrickSide, D - 1);
@@ -92,7 +101,7 @@ class RefinementCoder {
   void brick(Exchange& ask, Signs<D>& signs, std::size_t place, int dimension) {
     enter(signs, place, dimension);
     int told = 0;
-    for (int i = 0; i < rowCount_; ++i) told += tellRow(ask, place, rows_[i]);
+    for (int i = 0; i < openCount_; ++i) told += tellRow(ask, place, rows_[open_[static_cast<std::size_t>(i)]]);
     if (brickFlag_[dimension][activity(told)].bit(ask.coder(), hasExceptions(ask, place))) tellExceptions(ask, place, activity(told));
     if (changed_) store(signs, place);
   }
@@ -102,7 +111,12 @@ class RefinementCoder {
     changed_ = false;
     window_.load(signs, at);
     findRows(signs.lattice(), at, dimension);
-    for (int i = 0; i < rowCount_; ++i) rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members);
+    openCount_ = 0;
+    for (int i = 0; i < rowCount_; ++i) {
+      rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members);
+      open_[static_cast<std::size_t>(openCount_)] = static_cast<uint16_t>(i);
+      openCount_ += rows_[i].open != 0 ? 1 : 0;
+    }
   }
 
   /// The rows of a brick that have vertices of the class: in all bricks but the last ones the same.
@@ -151,14 +165,19 @@ class RefinementCoder {
 
   template <class Exchange>
   int tellRow(Exchange& ask, std::size_t place, const Row& row) {
-    if (row.open == 0) return 0;
     int told = 0;
     const Bits truth = ask.row(place, row.brick);
     packs_ = RowPacks<D>::around(&window_.rows[row.window]);
+    uint16_t& signs = window_.rows[row.window];
+    const uint16_t before = signs;
     for (Bits open = row.open; open != 0; open &= open - 1, ++told) {
-      const int x = std::countr_zero(open);
-      put(row, x, tell(ask, row, x, (truth >> x & 1) != 0));
+      const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
+      // Without a branch, which nobody could predict.
+      const unsigned turned = (static_cast<unsigned>(signs) >> at & 1) ^ (tell(ask, row, x, (truth >> x & 1) != 0) ? 1u : 0u);
+      signs = static_cast<uint16_t>(signs ^ turned << at);
+      packs_.flip(turned, at);
     }
+    changed_ = changed_ || signs != before;
     return told;
   }
 
@@ -166,7 +185,6 @@ class RefinementCoder {
     const auto bit = static_cast<uint16_t>(1u << (x + Window<D>::kHalo));
     if (((window_.rows[row.window] & bit) != 0) == positive) return;
     window_.rows[row.window] ^= bit;
-    packs_.flip(x + Window<D>::kHalo);
     changed_ = true;
   }
 
@@ -185,11 +203,10 @@ class RefinementCoder {
     const unsigned first7 = gather(n.siblings.data(), 7), first4 = first7 >> 3;
     const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at);
     const auto set = static_cast<unsigned>(row.fresh);
-    const std::array<Chance*, kInputs> contexts{
-        &near_[set << kNearBits | ((diamond << 4 | first4) & ((1u << kNearBits) - 1))],
-        &counts_[set << kCountBits | (((corners * 16 + across) << 7 | first7) & ((1u << kCountBits) - 1))],
-        &wide_[set << kWideBits | (((corners * 9 + across) << 7 | siblings / 2 << 4 | far / 2) &
-                                   ((1u << kWideBits) - 1))]};
+    const Table& table = tables_[set];
+    const unsigned counted = table.counted + ((corners * static_cast<unsigned>(n.acrossCount + 1) + across) << kSiblingBits);
+    const std::array<Chance*, kInputs> contexts{&near_[table.near + ((diamond << 4 | first4) & ((1u << kMostNearBits) - 1))],
+                                                &counts_[counted + first7], &wide_[counted + (siblings / 2 << 4 | far / 2)]};
     return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[set * 16 + std::min(corners, 15u)]);
   }
 
@@ -237,8 +254,15 @@ class RefinementCoder {
   RowPacks<D> packs_;
   std::array<Row, kBrickRows> rows_;
   int rowCount_ = 0;
+  std::array<uint16_t, kBrickRows> open_;  // which of them have open vertices
+  int openCount_ = 0;
   int rowKind_ = -1;  // the class that rows_ are of; -1 where they are of a last brick
   bool changed_ = false;
+  /// Where the contexts of a set of fresh axes begin in the tables.
+  struct Table {
+    uint32_t near = 0, counted = 0;
+  };
+  std::array<Table, kSets> tables_{};
   std::vector<Chance> near_, counts_, wide_;
   std::array<typename Mixer<kInputs>::Weights, kSets * 16> weights_;
   std::array<std::array<Chance, 5>, D + 1> brickFlag_;

@@ -1,7 +1,6 @@
 // A brick's scalars with those next to it, copied where every neighbour is a fixed offset away.
 #pragma once
 
-#include "lanes.h"
 #include "scalars.h"
 
 namespace isostar {
@@ -9,7 +8,7 @@ namespace isostar {
 template <int D>
 struct ScalarWindow {
   static constexpr int kSide = kBrickSide + 2;
-  std::array<int32_t, power(kSide, D) + 1> value{};  // one more, so that any three in a row can be read as four
+  std::array<int32_t, power(kSide, D)> value{};
 
   static constexpr int stride(int axis) { return static_cast<int>(power(kSide, axis)); }
   /// Of vertex x in row r of the brick.
@@ -36,18 +35,6 @@ struct ScalarWindow {
       out[kSide - 1] = source[2][row];
     }
   }
-
-  /// Three vertices in a row from the one at `first`, scaled down so that sums of 4^D of their like fit; 0 where unknown.
-  struct Three {
-    static constexpr int32_t kBound = 1 << (30 - 2 * D);
-    Lanes known;  // -1 or 0
-    Lanes value;
-    Three(const int32_t* first, int shift) {
-      const Lanes exact = lanesAt(first);
-      known = exact != Scalars<D>::kUnknown;
-      value = clamped(exact >> shift, kBound) & known;
-    }
-  };
 
  private:
   /// Where a row of the window comes from: the first of three bricks in a row, and the first vertex in each.

@@ -6,41 +6,39 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <deque>
 #include <vector>
 
-#include "bricks.h"
+#include "tube.h"
 
 namespace isostar {
 
 /// Magnitudes are counted in quanta of the stream. Of a vertex it is known that its magnitude lies within
-/// [low, low + 2^width). Bricks exist only where scalars are told.
+/// [low, low + 2^width), low being a multiple of 2^width. Bricks exist only where scalars are told.
 template <int D>
 class Scalars {
  public:
   static constexpr std::size_t kVertices = power(kBrickSide, D);
   static constexpr int32_t kUnknown = INT32_MIN;
-  static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing
 
   struct Brick {
-    /// The middle of what is possible, in half quanta (that of [n, n + 1) is 2 n + 1), negative at negative vertices.
+    /// Twice the middle of what is possible (of [n, n + 1): 2 n + 1), negative at negative vertices. Its lowest bit that
+    /// is set tells the width.
     std::array<int32_t, kVertices> value;
-    std::array<uint8_t, kVertices> width;
+    std::array<VertexSet<D>, 2> members{};  // by Members: whose scalars are told here
 
     [[nodiscard]] bool knows(std::size_t v) const { return value[v] != kUnknown; }
+    [[nodiscard]] uint32_t middle(std::size_t v) const { return static_cast<uint32_t>(std::abs(value[v])); }
+    [[nodiscard]] int width(std::size_t v) const { return std::countr_zero(middle(v)); }
+    [[nodiscard]] uint32_t low(std::size_t v) const { return (middle(v) & (middle(v) - 1)) / 2; }
     void set(std::size_t v, bool positive, uint32_t low, int log2Width) {
       const auto middle = static_cast<int32_t>(2 * low + (uint32_t{1} << log2Width));
       value[v] = positive ? middle : -middle;
-      width[v] = static_cast<uint8_t>(log2Width);
     }
-    [[nodiscard]] uint32_t middle(std::size_t v) const { return static_cast<uint32_t>(value[v] < 0 ? -value[v] : value[v]); }
-    [[nodiscard]] uint32_t low(std::size_t v) const { return (middle(v) - (uint32_t{1} << width[v])) / 2; }
   };
 
   Scalars() = default;
-  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, 0), bricks_(1) {
-    bricks_[kNone].value.fill(kUnknown);
-    bricks_[kNone].width.fill(0);
-  }
+  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, 0), bricks_(1) { bricks_[kNone].value.fill(kUnknown); }
 
   [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
   [[nodiscard]] const Brick& at(std::size_t place) const { return bricks_[at_[place]]; }
@@ -48,7 +46,7 @@ class Scalars {
   Brick& writable(std::size_t place) {
     if (at_[place] == kNone) {
       at_[place] = static_cast<uint32_t>(bricks_.size());
-      bricks_.push_back(bricks_[0]);
+      bricks_.push_back(bricks_[kNone]);
     }
     return bricks_[at_[place]];
   }
@@ -72,12 +70,14 @@ class Scalars {
     return finer;
   }
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] std::size_t memory() const { return at_.size() * 5 + memoryToGrow(bricks_); }
+  [[nodiscard]] std::size_t memory() const { return at_.size() * 5 + (bricks_.size() + 1) * sizeof(Brick); }
 
  private:
+  static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing
+
   std::vector<uint32_t> at_;
   std::vector<uint8_t> gradient_;
-  std::vector<Brick> bricks_;
+  std::deque<Brick> bricks_;  // no copies as it grows
 };
 
 }  // namespace isostar

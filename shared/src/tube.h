@@ -2,8 +2,6 @@
 #pragma once
 
 #include <bit>
-#include <deque>
-#include <vector>
 
 #include "window.h"
 
@@ -12,6 +10,27 @@ namespace isostar {
 /// Two classes (§5.3): ends of crossing axis edges, all that `cubes` needs; and the other ends of crossing edges of the
 /// RBMT, its diagonals, that only `tetrahedra` needs.
 enum class Members : uint8_t { AxisEnds, DiagonalEnds };
+
+/// Vertices of a brick as a set of bits; a word has eight rows.
+template <int D>
+struct VertexSet {
+  static constexpr std::size_t kWords = power(kBrickSide, D) / 64;
+  std::array<uint64_t, kWords> words{};
+
+  /// Vertex x of row r, in word r / 8.
+  static uint64_t bit(std::size_t r, int x) { return uint64_t{1} << (r % kBrickSide * kBrickSide + static_cast<unsigned>(x)); }
+  [[nodiscard]] bool has(std::size_t r, int x) const { return (words[r / kBrickSide] & bit(r, x)) != 0; }
+  /// Calls visit(r, x) for each in order.
+  template <class Visit>
+  void forEach(Visit visit) const {
+    for (std::size_t w = 0; w < kWords; ++w) {
+      for (uint64_t open = words[w]; open != 0; open &= open - 1) {
+        const int at = std::countr_zero(open);
+        visit(w * kBrickSide + static_cast<unsigned>(at) / kBrickSide, at % kBrickSide);
+      }
+    }
+  }
+};
 
 template <int D>
 class Tube {
@@ -23,20 +42,23 @@ class Tube {
     const auto& lattice = signs.lattice();
     uint32_t inside = 0;
     for (int x = 0; x < kBrickSide && at_[0] * kBrickSide + x <= lattice.last[0]; ++x) inside |= 1u << x;
-    any_ = false;
+    members_ = {};
+    positive_ = {};
     Coordinates<D> v{};
     for (std::size_t r = 0; r < kRows; ++r) {
       bool in = true;
       for (int a = 1; a < D; ++a) in = in && at_[a] * kBrickSide + v[a] <= lattice.last[a];
       const int row = Window<D>::row(v);
       const uint32_t ends = axisEnds(row);
-      mask_[r] = static_cast<uint8_t>(!in ? 0 : inside & (members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends));
-      any_ = any_ || mask_[r] != 0;
+      const uint64_t mask = !in ? 0 : inside & (members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends);
+      members_.words[r / kBrickSide] |= mask << (r % kBrickSide * kBrickSide);
+      positive_.words[r / kBrickSide] |= (mask & bits(row) >> Window<D>::kHalo) << (r % kBrickSide * kBrickSide);
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
   }
 
-  [[nodiscard]] bool empty() const { return !any_; }
+  [[nodiscard]] bool empty() const { return std::all_of(members_.words.begin(), members_.words.end(), [](uint64_t w) { return w == 0; }); }
+  [[nodiscard]] const VertexSet<D>& members() const { return members_; }
   [[nodiscard]] const Window<D>& window() const { return window_; }
   [[nodiscard]] const BrickTable<D>& table() const { return *table_; }
   [[nodiscard]] const Coordinates<D>& at() const { return at_; }
@@ -52,19 +74,17 @@ class Tube {
   /// Calls visit(window row, brick row, x) for each member of a sign in order.
   template <class Visit>
   void forEach(bool positive, Visit visit) const {
-    for (std::size_t r = 0; r < kRows; ++r) {
-      const int row = Window<D>::kOwnRows[r];
-      const uint32_t signs = bits(row) >> Window<D>::kHalo;
-      for (uint32_t open = mask_[r] & (positive ? signs : ~signs); open != 0; open &= open - 1) visit(row, r, std::countr_zero(open));
+    VertexSet<D> set = positive_;
+    if (!positive) {
+      for (std::size_t w = 0; w < set.words.size(); ++w) set.words[w] = members_.words[w] & ~positive_.words[w];
     }
+    set.forEach([&](std::size_t r, int x) { visit(Window<D>::kOwnRows[r], r, x); });
   }
 
   /// Calls visit(window row, brick row, x) for each member in order.
   template <class Visit>
   void forEach(Visit visit) const {
-    for (std::size_t r = 0; r < kRows; ++r) {
-      for (uint32_t open = mask_[r]; open != 0; open &= open - 1) visit(Window<D>::kOwnRows[r], r, std::countr_zero(open));
-    }
+    members_.forEach([&](std::size_t r, int x) { visit(Window<D>::kOwnRows[r], r, x); });
   }
 
  private:
@@ -105,27 +125,7 @@ class Tube {
   const BrickTable<D>* table_ = nullptr;
   Coordinates<D> at_{};
   Window<D> window_;
-  std::array<uint8_t, kRows> mask_{};
-  bool any_ = false;
-};
-
-/// The tube in all bricks that have been asked for, kept for the next pass.
-template <int D>
-class Tubes {
- public:
-  const Tube<D>& at(const Signs<D>& signs, std::size_t place, Members members) {
-    if (number_.empty()) number_.resize(signs.table().total(), 0);
-    uint32_t& number = number_[place];
-    if (number == 0) {
-      tubes_.emplace_back().enter(signs, place, members);
-      number = static_cast<uint32_t>(tubes_.size());
-    }
-    return tubes_[number - 1];
-  }
-
- private:
-  std::vector<uint32_t> number_;  // of a place's tube, from 1
-  std::deque<Tube<D>> tubes_;
+  VertexSet<D> members_, positive_;
 };
 
 }  // namespace isostar

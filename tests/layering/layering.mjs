@@ -14,7 +14,7 @@ const PARTS = {
   rbmt: ['diamond.h', 'tagged_simplex.h', 'rbmt.h', 'leaves.h', 'decomposition.h', 'linear_function.h', 'criteria.h', 'topology.h'],
   scalars: ['reciprocal.h', 'scalars.h', 'scalar_window.h', 'interpolation.h', 'prediction.h', 'completion.h'],
   exchange: ['exchange.h'],
-  traversal: ['base_coder.h', 'refinement_coder.h', 'geometry_coder.h'],
+  traversal: ['base_coder.h', 'refinement_coder.h', 'octaves_coder.h', 'halving_coder.h'],
   container: ['stream.h', 'stream.cpp'],
   layers: ['layers.h'],
   polygonizer: [
@@ -42,7 +42,7 @@ const ARROWS = {
   exchange: ['coder', 'hierarchy'],
   traversal: ['exchange', 'coder', 'hierarchy', 'scalars'],
   container: ['bytes', 'hierarchy', 'api'],
-  layers: ['traversal', 'container'],
+  layers: ['traversal', 'container', 'hierarchy'],
   polygonizer: ['hierarchy', 'scalars', 'api'],
   field: ['hierarchy', 'container', 'api'],
   distance: ['field', 'hierarchy', 'scalars', 'polygonizer'],

@@ -1,4 +1,6 @@
-#include "geometry_coder.h"
+#include "halving_coder.h"
+#include "octave.h"
+#include "octaves_coder.h"
 
 #include <gtest/gtest.h>
 
@@ -66,15 +68,15 @@ struct Side {
   const Signs<D>& signs;
   std::vector<uint8_t> active;
   Scalars<D> scalars;
-  GeometryCoder<D> coder;
+  OctavesCoder<D> octaves;
+  HalvingCoder<D> halvings;
 };
 
 template <int D>
 bool equal(const Side<D>& a, const Side<D>& b) {
   for (std::size_t place = 0; place < a.active.size(); ++place) {
     if (a.scalars.has(place) != b.scalars.has(place)) return false;
-    if (a.scalars.at(place).value != b.scalars.at(place).value ||
-        a.scalars.at(place).width != b.scalars.at(place).width)
+    if (a.scalars.at(place).value != b.scalars.at(place).value)
       return false;
   }
   return true;
@@ -92,12 +94,12 @@ class Telling {
 
   void octaves(Members members, int depth) {
     pass([=](auto& ask, Side<D>& side) {
-      side.coder.tellOctaves(ask, side.signs, side.scalars, members, depth, side.active);
+      side.octaves.tell(ask, side.signs, side.scalars, members, depth, side.active);
     });
   }
-  void halving(Members members, const typename GeometryCoder<D>::Allowed& allowed, int most, bool selective) {
+  void halving(Members members, const typename HalvingCoder<D>::Allowed& allowed, int most, bool selective) {
     pass([=](auto& ask, Side<D>& side) {
-      side.coder.refine(ask, side.signs, side.scalars, members, allowed, most, selective, side.active);
+      side.halvings.tell(ask, side.signs, side.scalars, {members, allowed, most, selective}, side.active);
     });
   }
 
@@ -121,7 +123,7 @@ class Telling {
       ASSERT_TRUE(brick.knows(at));
       const uint32_t truth = field_.magnitudeAt(v);
       ASSERT_LE(brick.low(at), truth) << testing::PrintToString(v);
-      ASSERT_LT(truth, brick.low(at) + (uint64_t{1} << brick.width[at])) << testing::PrintToString(v);
+      ASSERT_LT(truth, brick.low(at) + (uint64_t{1} << brick.width(at))) << testing::PrintToString(v);
       ASSERT_EQ(brick.value[at] > 0, field_.value(v) > 0);
     });
   }
@@ -165,8 +167,8 @@ class Telling {
 };
 
 template <int D>
-typename GeometryCoder<D>::Allowed alike(uint32_t allowed) {
-  typename GeometryCoder<D>::Allowed all;
+typename HalvingCoder<D>::Allowed alike(uint32_t allowed) {
+  typename HalvingCoder<D>::Allowed all;
   all.fill(allowed);
   return all;
 }
@@ -230,7 +232,7 @@ TYPED_TEST(GeometryCoderTest, whereNothingMayMoveAllIsTold) {
     if (field.name == "large" || field.name == "all scales") continue;  // more bits than a single-precision vertex has
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       telling.forMembers(members, [&](const Coordinates<D>& v, const auto& brick, std::size_t at) {
-        EXPECT_EQ(int{brick.width[at]}, 0) << testing::PrintToString(v);
+        EXPECT_EQ(brick.width(at), 0) << testing::PrintToString(v);
       });
     }
   }
@@ -257,10 +259,10 @@ TYPED_TEST(GeometryCoderTest, randomAnswersAreAlwaysSomeScalars) {
     Side<D> mine(signs), theirs(signs);
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       auto octaves = [&](auto& ask, Side<D>& side) {
-        side.coder.tellOctaves(ask, signs, side.scalars, members, depth, side.active);
+        side.octaves.tell(ask, signs, side.scalars, members, depth, side.active);
       };
       auto halving = [&](auto& ask, Side<D>& side) {
-        side.coder.refine(ask, signs, side.scalars, members, alike<D>(seed * 100), 30, seed % 2 == 0, side.active);
+        side.halvings.tell(ask, signs, side.scalars, {members, alike<D>(static_cast<uint32_t>(seed) * 100), 30, seed % 2 == 0}, side.active);
       };
       const auto first = thrown<D>(seed, rate, [&](auto& ask) { octaves(ask, mine); });
       ASSERT_TRUE(heard<D>(first, [&](auto& ask) { octaves(ask, theirs); }));
