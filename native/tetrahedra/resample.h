@@ -6,7 +6,6 @@
 
 #include "model/cubic_grid.h"
 #include "tetrahedra/tetrahedral_field.h"
-#include "volume/loaded_volume.h"
 
 namespace isostar::native {
 
