@@ -14,6 +14,7 @@
 #include "files/output_file.h"
 #include "files/text.h"
 #include "mesh_io/mesh_file.h"
+#include "mesh_io/svg.h"
 
 namespace isostar::native {
 namespace {
@@ -22,7 +23,7 @@ struct Arguments {
   std::string input, output;
   std::optional<uint64_t> bytes;
   std::optional<int> level;
-  std::optional<double> isovalue;
+  std::optional<double> isovalue, time;
   MeshOptions options;
   bool json = false;
 };
@@ -59,18 +60,63 @@ void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, size
               decoder.level(), decoder.levels() - 1));
 }
 
+bool isDrawing(const std::string& path) {
+  return extensionOf(path) == ".svg";
+}
+
+/// A drawing for an image, a mesh for all others; a time for a sequence only, and one that it has.
+void requireFitting(const Arguments& arguments, const StreamInfo& info) {
+  const bool image = info.dimension == 2;
+  if (image != isDrawing(arguments.output))
+    throw Failure(arguments.input, image ? "holds an image's contours, which are written as .svg"
+                                         : "holds a surface, which is written as .ply, .obj, .stl or .glb");
+  if (!arguments.time) return;
+  if (info.dimension != 4) throw Failure(arguments.input, "holds no sequence; --time is for one");
+  if (*arguments.time < 0 || *arguments.time > info.frames - 1)
+    throw Failure(arguments.input, text("has frames 0 to %d; there is no time %g", info.frames - 1, *arguments.time));
+}
+
 std::string closingLine(const Arguments& arguments, const WorkReport& report, const Decoder& decoder) {
   std::error_code ignored;
   const uintmax_t written = std::filesystem::file_size(arguments.output, ignored);
-  return text("%s %s -> %s %s, %llu vertices, %llu triangles, RMS error %.3g grid steps", arguments.input.c_str(),
+  const std::string triangles =
+      decoder.info().dimension == 2 ? "" : text(" %llu triangles,", static_cast<unsigned long long>(report.triangles));
+  return text("%s %s -> %s %s, %llu vertices,%s RMS error %.3g grid steps", arguments.input.c_str(),
               readableBytes(report.bytes).c_str(), arguments.output.c_str(),
               ignored ? "" : readableBytes(written).c_str(), static_cast<unsigned long long>(report.vertices),
-              static_cast<unsigned long long>(report.triangles), decoder.rmsError());
+              triangles.c_str(), decoder.rmsError());
+}
+
+void writeSurface(const Arguments& arguments, const Decoder& decoder, WorkReport& report) {
+  const Stopwatch polygonizing;
+  MeshOptions options = arguments.options;
+  options.time = arguments.time.value_or(0);
+  const Mesh mesh = surfaceOf(decoder, options, arguments.input);
+  report.polygonize = polygonizing.milliseconds();
+  report.peakMemory = peakMemory();
+  const Stopwatch writing;
+  writeMesh(mesh, arguments.output);
+  report.io += writing.milliseconds();
+  report.vertices = mesh.positions.size() / 3;
+  report.triangles = mesh.triangles.size() / 3;
+}
+
+void writeDrawing(const Arguments& arguments, const Decoder& decoder, WorkReport& report) {
+  const Stopwatch tracing;
+  Contours contours;
+  if (const Error error = decoder.contours(arguments.options, contours); error != Error::None)
+    throw Failure(arguments.input, describe(error));
+  report.polygonize = tracing.milliseconds();
+  report.peakMemory = peakMemory();
+  const Stopwatch writing;
+  writeSvg(contours, decoder.info(), arguments.options.frame, arguments.output);
+  report.io += writing.milliseconds();
+  report.vertices = contours.points.size() / 2;
 }
 
 void run(const Arguments& arguments) {
-  if (!isMeshFile(arguments.output))
-    throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb", arguments.output.c_str()));
+  if (!isMeshFile(arguments.output) && !isDrawing(arguments.output))
+    throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb, or in .svg for an image", arguments.output.c_str()));
   requireDifferent(arguments.input, arguments.output);
   requireWritable(arguments.output);
 
@@ -84,19 +130,14 @@ void run(const Arguments& arguments) {
   const Decoder decoder = decodeStream(std::span(stream).first(length), arguments.input);
   report.codec = decoding.milliseconds();
   requireIsovalue(arguments, decoder.info());
+  requireFitting(arguments, decoder.info());
   warnOfMissingBytes(arguments, decoder, stream.size());
 
-  const Stopwatch polygonizing;
-  const Mesh mesh = surfaceOf(decoder, arguments.options, arguments.input);
-  report.polygonize = polygonizing.milliseconds();
-  report.peakMemory = peakMemory();
-
-  const Stopwatch writing;
-  writeMesh(mesh, arguments.output);
-  report.io += writing.milliseconds();
-
-  report.vertices = mesh.positions.size() / 3;
-  report.triangles = mesh.triangles.size() / 3;
+  if (decoder.info().dimension == 2) {
+    writeDrawing(arguments, decoder, report);
+  } else {
+    writeSurface(arguments, decoder, report);
+  }
   report.bytes = length;
   if (arguments.json) print(report);
   say(closingLine(arguments, report, decoder));
@@ -108,7 +149,7 @@ void addDecode(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("decode", "Make a mesh of a stream, or of the first part of one");
   const auto arguments = std::make_shared<Arguments>();
   command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")->required();
-  command.add_option("output", arguments->output, "The mesh to write: .ply, .obj, .stl or .glb")->required();
+  command.add_option("output", arguments->output, "The mesh to write: .ply, .obj, .stl or .glb; the drawing of an image's contours: .svg")->required();
   auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")
                     ->type_name("N")
                     ->check(CLI::NonNegativeNumber.description(""));
@@ -117,6 +158,9 @@ void addDecode(CLI::App& app) {
       ->check(CLI::NonNegativeNumber.description(""))
       ->excludes(bytes);
   command.add_option("--iso", arguments->isovalue, "Which of the stream's isovalues")->check(kFinite)->type_name("V");
+  command.add_option("--time", arguments->time, "When to cut a sequence of volumes, in frames from 0 [default: 0]")
+      ->check(kFinite)
+      ->type_name("T");
   addPolygonizer(command, arguments->options.polygonizer,
                  "One vertex a crossing edge, or one polygon a crossing tetrahedron");
   addFrame(command, arguments->options.frame, "Apply spacing, origin and direction, or put sample (i,j,k) at (i,j,k)");

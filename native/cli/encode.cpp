@@ -65,17 +65,26 @@ void warnOfEmptySurface(const std::vector<float>& samples, double isovalue) {
   warn(text("the surface is empty: the samples reach from %g to %g, the isovalue is %g", *low, *high, isovalue));
 }
 
+/// Of a sequence its first frame counts.
+Error countOnSource(const LoadedVolume& volume, double isovalue, const MeshOptions& options, WorkReport& report) {
+  Mesh mesh;
+  Contours contours;
+  const Error error = volume.dimension == 2   ? polygonize(volume.image(), isovalue, options, contours)
+                      : volume.dimension == 3 ? polygonize(volume.view(), isovalue, options, mesh)
+                                              : polygonize(volume.sequence(), isovalue, options, mesh);
+  report.vertices = mesh.positions.size() / 3 + contours.points.size() / 2;
+  report.triangles = mesh.triangles.size() / 3;
+  return error;
+}
+
 /// Counted on the source itself, after peak memory and times have been taken.
 void printReport(const Arguments& arguments, const LoadedVolume& volume, const StreamInfo& info, WorkReport report) {
   report.peakMemory = peakMemory();
   const Stopwatch polygonizing;
-  Mesh mesh;
   const MeshOptions options{arguments.options.polygonizer, Frame::Grid, false};
-  if (const Error error = polygonize(volume.view(), arguments.options.isovalue, options, mesh); error != Error::None)
+  if (const Error error = countOnSource(volume, arguments.options.isovalue, options, report); error != Error::None)
     throw Failure(arguments.source.volume.path, describe(error));
   report.polygonize = polygonizing.milliseconds();
-  report.vertices = mesh.positions.size() / 3;
-  report.triangles = mesh.triangles.size() / 3;
   report.bytes = info.bytes;
   print(report);
 }
@@ -84,8 +93,10 @@ std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions o
   ProgressBar bar("encoding");
   options.progress = [&bar](double done) { bar.show(done); };
   std::vector<std::byte> stream;
-  if (const Error error = encode(volume.view(), options, stream); error != Error::None)
-    throw Failure(path, describe(error));
+  const Error error = volume.dimension == 2   ? encode(volume.image(), options, stream)
+                      : volume.dimension == 3 ? encode(volume.view(), options, stream)
+                                              : encode(volume.sequence(), options, stream);
+  if (error != Error::None) throw Failure(path, describe(error));
   return stream;
 }
 
@@ -124,15 +135,16 @@ void run(Arguments& arguments) {
 
 void addEncode(CLI::App& app) {
   CLI::App& command =
-      *app.add_subcommand("encode", "Compress the isosurface of a volume or of tetrahedra, or a closed mesh");
+      *app.add_subcommand("encode", "Compress the isosurface of a volume or of tetrahedra, the contours of an image, or a closed mesh");
   const auto arguments = std::make_shared<Arguments>();
   EncodeOptions& options = arguments->options;
   VolumeRequest& volume = arguments->source.volume;
   command
       .add_option(
           "volume", volume.path,
-          "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, raw samples, tetrahedra (.vtu, "
-          ".vtk), or a closed mesh (.ply, .obj, .stl, .glb): its distances in grid steps, positive inside, up to 4")
+          "NRRD, MetaImage, NIfTI, TIFF, VTK image, a folder of DICOM or TIFF slices, raw samples, a fourth axis being time; "
+          "an image (.png, .jpg, .tif of one page; colours become luminance, 8 bits 0 ... 1); tetrahedra (.vtu, .vtk); "
+          "or a closed mesh (.ply, .obj, .stl, .glb): its distances in grid steps, positive inside, up to 4")
       ->required();
   command.add_option("output", arguments->output, "The stream to write, OUT.isostar; - for standard output")
       ->required();

@@ -49,8 +49,10 @@ void printJson(const StreamInfo& info, double unit) {
   }
   const Json json = {
       {"format", info.version},
+      {"dimension", info.dimension},
       {"isovalues", info.isovalues},
       {"size", info.size},
+      {"frames", info.frames},
       {"spacing", info.placement.spacing},
       {"origin", info.placement.origin},
       {"direction", info.placement.direction},
@@ -75,7 +77,9 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
     std::cout << text("%-12s %s\n", what, value.c_str());
   };
   line("stream", text("%s, %s, format %d", arguments.input.c_str(), readableBytes(info.bytes).c_str(), info.version));
-  line("grid", triple(info.size));
+  line("grid", info.dimension == 2   ? text("%d x %d, an image", info.size[0], info.size[1])
+               : info.dimension == 4 ? triple(info.size) + text(", %d frames", info.frames)
+                                     : triple(info.size));
   line("spacing", triple(placement.spacing));
   line("origin", text("%g, %g, %g", placement.origin[0], placement.origin[1], placement.origin[2]));
   const auto& d = placement.direction;

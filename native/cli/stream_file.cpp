@@ -31,6 +31,7 @@ Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) 
 }
 
 Mesh surfaceOf(const Decoder& decoder, const MeshOptions& options, const std::string& path) {
+  if (decoder.info().dimension == 2) throw Failure(path, "holds an image's contours, no surface");
   Mesh mesh;
   if (const Error error = decoder.mesh(options, mesh); error != Error::None) throw Failure(path, describe(error));
   return mesh;

@@ -52,13 +52,14 @@ SampleType sampleType(const itk::ImageIOBase& io, const std::string& path) {
   }
 }
 
-/// Axes beyond the third may only be there in name.
-void requireOneVolume(const itk::ImageIOBase& io, const std::string& path) {
-  if (io.GetNumberOfComponents() != 1)
-    throw Failure(path, text("has %u values a sample; one is needed", io.GetNumberOfComponents()));
-  for (unsigned axis = 3; axis < io.GetNumberOfDimensions(); ++axis) {
+/// Axes beyond the fourth, which is time, may only be there in name.
+void requirePlain(const itk::ImageIOBase& io, const std::string& path, unsigned mostComponents) {
+  const unsigned components = io.GetNumberOfComponents();
+  if (components < 1 || components > mostComponents)
+    throw Failure(path, text("has %u values a sample; one is needed", components));
+  for (unsigned axis = 4; axis < io.GetNumberOfDimensions(); ++axis) {
     if (io.GetDimensions(axis) != 1)
-      throw Failure(path, text("has %u dimensions; one volume of three is needed", io.GetNumberOfDimensions()));
+      throw Failure(path, text("has %u dimensions; four, the last one time, are the most", io.GetNumberOfDimensions()));
   }
 }
 
@@ -80,7 +81,7 @@ void quietItk() {
   itk::Object::GlobalWarningDisplayOff();
 }
 
-ItkHeader readHeader(itk::ImageIOBase& io, const std::string& path) {
+ItkHeader readHeader(itk::ImageIOBase& io, const std::string& path, unsigned mostComponents) {
   quietItk();
   fileSize(path);
   try {
@@ -90,11 +91,21 @@ ItkHeader readHeader(itk::ImageIOBase& io, const std::string& path) {
   } catch (const itk::ExceptionObject& error) {
     throw Failure(path, plainWords(error));
   }
-  requireOneVolume(io, path);
+  requirePlain(io, path, mostComponents);
   ItkHeader header{.type = sampleType(io, path), .placement = placementIn(io, path)};
   for (unsigned axis = 0; axis < std::min(3u, io.GetNumberOfDimensions()); ++axis)
     header.size[axis] = static_cast<int64_t>(io.GetDimensions(axis));
+  if (io.GetNumberOfDimensions() > 3) header.frames = static_cast<int64_t>(io.GetDimensions(3));
+  header.dimension = header.frames != 1 ? 4 : io.GetNumberOfDimensions() == 2 ? 2 : 3;
   return header;
+}
+
+SampleBuffer bufferFor(const std::string& path, const ItkHeader& header, uint64_t fileBytes) {
+  ClaimedSize stacked = header.size;
+  if (header.frames < 1 || header.frames > INT32_MAX || stacked[2] > INT32_MAX / header.frames)
+    throw Failure(path, text("%lld frames are impossible", static_cast<long long>(header.frames)));
+  stacked[2] *= header.frames;
+  return SampleBuffer(path, stacked, header.type, fileBytes);
 }
 
 void readSamples(itk::ImageIOBase& io, const std::string& path, std::byte* to) {
@@ -114,10 +125,12 @@ void readSamples(itk::ImageIOBase& io, const std::string& path, std::byte* to) {
 
 LoadedVolume readWholeImage(itk::ImageIOBase& io, const std::string& path, bool attached) {
   const ItkHeader header = readHeader(io, path);
-  SampleBuffer buffer(path, header.size, header.type, attached ? fileSize(path) : 0);
+  SampleBuffer buffer = bufferFor(path, header, attached ? fileSize(path) : 0);
   readSamples(io, path, buffer.data());
   LoadedVolume volume;
-  volume.size = buffer.size();
+  volume.dimension = header.dimension;
+  volume.frames = static_cast<int32_t>(header.frames);
+  for (size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int32_t>(header.size[axis]);
   volume.placement = header.placement;
   volume.samples = buffer.take();
   return volume;

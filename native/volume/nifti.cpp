@@ -11,6 +11,7 @@
 #include "files/input_file.h"
 #include "files/text.h"
 #include "volume/formats.h"
+#include "volume/itk_image.h"
 #include "volume/placement.h"
 
 namespace isostar::native {
@@ -58,8 +59,8 @@ SampleType sampleType(const nifti_image& header, const std::string& path) {
 
 ClaimedSize sizeOf(const nifti_image& header, const std::string& path) {
   const int sizes[] = {header.nx, header.ny, header.nz, header.nt, header.nu, header.nv, header.nw};
-  for (int axis = 3; axis < header.ndim; ++axis) {
-    if (sizes[axis] > 1) throw Failure(path, text("has %d dimensions; one volume of three is needed", header.ndim));
+  for (int axis = 4; axis < header.ndim; ++axis) {
+    if (sizes[axis] > 1) throw Failure(path, text("has %d dimensions; four, the last one time, are the most", header.ndim));
   }
   ClaimedSize size{1, 1, 1};
   for (int axis = 0; axis < std::min(3, header.ndim); ++axis) size[axis] = sizes[axis];
@@ -111,9 +112,15 @@ LoadedVolume readNifti(const std::string& path) {
   if (!header->iname) throw Failure(path, "the file with its samples is missing");
   LoadedVolume volume;
   volume.placement = placementIn(*header, path);
-  SampleBuffer buffer(path, sizeOf(*header, path), sampleType(*header, path), fileSize(header->iname));
+  ItkHeader claimed;
+  claimed.size = sizeOf(*header, path);
+  claimed.frames = header->ndim > 3 ? header->nt : 1;
+  claimed.type = sampleType(*header, path);
+  SampleBuffer buffer = bufferFor(path, claimed, fileSize(header->iname));
   readSamples(*header, path, buffer);
-  volume.size = buffer.size();
+  for (size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int32_t>(claimed.size[axis]);
+  volume.frames = static_cast<int32_t>(claimed.frames);
+  if (volume.frames > 1) volume.dimension = 4;
   // Slope 0 means that the samples are not scaled; a slope that is not finite can only mean the same.
   const bool scaled = header->scl_slope != 0 && std::isfinite(header->scl_slope) && std::isfinite(header->scl_inter);
   volume.samples = scaled ? buffer.take(header->scl_slope, header->scl_inter) : buffer.take();

@@ -40,13 +40,14 @@ LoadedVolume readByExtension(const std::string& path) {
       {".nrrd", readNrrd},     {".nhdr", readNrrd},     {".mha", readMetaImage}, {".mhd", readMetaImage},
       {".nii", readNifti},     {".nii.gz", readNifti},  {".hdr", readNifti},     {".img", readNifti},
       {".hdr.gz", readNifti},  {".img.gz", readNifti},  {".tif", readTiff},      {".tiff", readTiff},
+      {".png", readPng},       {".jpg", readJpeg},      {".jpeg", readJpeg},
       {".dcm", readDicomFile}, {".ima", readDicomFile}, {".vti", readVtkImage},  {".vtk", readVtkImage},
   };
   fileSize(path);
   const auto reader = kReaders.find(extensionOf(path));
   if (reader == kReaders.end())
     throw Failure(path,
-                  "its name tells no known format (.nrrd .nhdr .mha .mhd .nii .nii.gz .hdr .tif .dcm .vti .vtk, "
+                  "its name tells no known format (.nrrd .nhdr .mha .mhd .nii .nii.gz .hdr .tif .png .jpg .dcm .vti .vtk, "
                   "a folder of DICOM or TIFF slices, or raw with --size and --type)");
   return reader->second(path);
 }

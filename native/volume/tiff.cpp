@@ -44,6 +44,8 @@ void forgetPlacement(LoadedVolume& volume) {
 
 LoadedVolume readTiff(const std::string& path) {
   requireEqualPages(path);
+  const auto io = itk::TIFFImageIO::New();
+  if (readHeader(*io, path, 4).dimension == 2) return pictureFrom(*io, path);
   LoadedVolume volume = readWholeImage(*itk::TIFFImageIO::New(), path, true);
   forgetPlacement(volume);
   return volume;

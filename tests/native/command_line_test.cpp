@@ -302,6 +302,62 @@ TEST_F(CommandLine, writesEveryMeshFormatInBothFrames) {
   EXPECT_NEAR(highest("world.stl"), 2 * highest("grid.stl"), 1e-4);
 }
 
+TEST_F(CommandLine, drawsTheContoursOfAnImage) {
+  std::vector<float> samples;
+  for (int j = 0; j < 20; ++j)
+    for (int i = 0; i < 30; ++i) samples.push_back(static_cast<float>(6 - std::hypot(i - 9.6, j - 9.3)));
+  write("disc.nrrd",
+        "NRRD0004\ntype: float\ndimension: 2\nsizes: 30 20\nspacings: 2 2\nencoding: raw\nendian: little\n\n" +
+            bytesOf(samples));
+  ASSERT_EQ(run({"encode", "disc.nrrd", "disc.isostar", "--iso", "0", "--lossless", "--json"}).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(run({"info", "disc.isostar", "--json"}).results)["dimension"], 2);
+  ASSERT_EQ(run({"decode", "disc.isostar", "disc.svg"}).status, 0);
+  const std::string svg = read("disc.svg");
+  EXPECT_NE(svg.find("viewBox=\"0 0 58 38\""), std::string::npos) << svg;
+  EXPECT_EQ(std::count(svg.begin(), svg.end(), 'M'), 2) << "an area and its border\n" << svg;
+  EXPECT_EQ(run({"decode", "disc.isostar", "grid.svg", "--frame", "grid", "--level", "0"}).status, 0);
+  EXPECT_NE(read("grid.svg").find("viewBox=\"0 0 29 19\""), std::string::npos);
+  EXPECT_NE(expectFault(1, {"decode", "disc.isostar", "disc.ply"}).find("written as .svg"), std::string::npos);
+  EXPECT_NE(expectFault(1, {"compare", "disc.isostar", "disc.isostar"}).find("no surface"), std::string::npos);
+  encodeBall();
+  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "ball.svg"}).find("holds a surface"), std::string::npos);
+}
+
+TEST_F(CommandLine, fillsWhatIsPositiveUpToTheBorder) {
+  write("slope.nrrd", "NRRD0004\ntype: float\ndimension: 2\nsizes: 3 2\nencoding: raw\nendian: little\n\n" +
+                          bytesOf(std::vector<float>{-1, 1, 3, -1, 1, 3}));
+  ASSERT_EQ(run({"encode", "slope.nrrd", "slope.isostar", "--iso", "0", "--lossless"}).status, 0);
+  ASSERT_EQ(run({"decode", "slope.isostar", "slope.svg"}).status, 0);
+  EXPECT_NE(read("slope.svg").find("d=\"M0.5 1L0.5 0L2 0L2 1Z\""), std::string::npos) << read("slope.svg");
+  ASSERT_EQ(run({"encode", "slope.nrrd", "white.isostar", "--iso", "-2"}).status, 0);
+  ASSERT_EQ(run({"decode", "white.isostar", "white.svg"}).status, 0);
+  EXPECT_NE(read("white.svg").find("d=\"M0 0L2 0L2 1L0 1Z\""), std::string::npos) << read("white.svg");
+}
+
+TEST_F(CommandLine, cutsASequenceAtATime) {
+  std::vector<float> samples;
+  for (int t = 0; t < 4; ++t)
+    for (int k = 0; k < 12; ++k)
+      for (int j = 0; j < 12; ++j)
+        for (int i = 0; i < 12; ++i) samples.push_back(static_cast<float>(2 + t - std::hypot(i - 5.6, j - 5.3, k - 5.5)));
+  write("balls.nrrd",
+        "NRRD0004\ntype: float\ndimension: 4\nsizes: 12 12 12 4\nencoding: raw\nendian: little\n\n" + bytesOf(samples));
+  ASSERT_EQ(run({"encode", "balls.nrrd", "balls.isostar", "--iso", "0"}).status, 0);
+  const auto highest = [&](const std::string& time) {
+    EXPECT_EQ(run({"decode", "balls.isostar", "cut.ply", "--time", time}).status, 0);
+    float z = 0;
+    const Mesh mesh = readMesh(path("cut.ply"));
+    for (size_t v = 2; v < mesh.positions.size(); v += 3) z = std::max(z, mesh.positions[v]);
+    return z;
+  };
+  EXPECT_NEAR(highest("0"), 7.5, 0.1);
+  EXPECT_NEAR(highest("1.5"), 9, 0.15);
+  EXPECT_NEAR(highest("3"), 10.5, 0.1);
+  EXPECT_NE(expectFault(1, {"decode", "balls.isostar", "x.ply", "--time", "3.01"}).find("frames 0 to 3"), std::string::npos);
+  encodeBall();
+  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "x.ply", "--time", "0"}).find("no sequence"), std::string::npos);
+}
+
 TEST_F(CommandLine, decodesPrefixes) {
   encodeBall();
   const auto info = nlohmann::json::parse(run({"info", "ball.isostar", "--json"}).results);

@@ -96,22 +96,32 @@ TEST_F(Nrrd, turnsRightAnteriorIntoLps) {
   expectPoint(worldOf(volume.placement, 1, 1, 1), -11, -22, 33);
 }
 
-TEST_F(Nrrd, readsAPictureAsOneSlice) {
+TEST_F(Nrrd, readsTwoAxesAsAnImage) {
   write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 3\nencoding: raw\nspacings: 2 3\n\n" +
                       bytesOf(counting<uint8_t>(6)));
   const LoadedVolume volume = readPath(path("v.nrrd"));
+  EXPECT_EQ(volume.dimension, 2);
   EXPECT_EQ(volume.size, (std::array<int32_t, 3>{2, 3, 1}));
   expectPoint(worldOf(volume.placement, 1, 1, 1), 2, 3, 1);
 }
 
-TEST_F(Nrrd, refusesColoursAndSeries) {
+TEST_F(Nrrd, refusesColoursAndFiveAxes) {
   write(
       "v.nrrd",
       "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 2 2 2\nkinds: RGB-color domain domain domain\nencoding: raw\n\n" +
           std::string(24, 'x'));
   EXPECT_NE(complaint(path("v.nrrd")).find("3 values a sample"), std::string::npos) << complaint(path("v.nrrd"));
-  write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 2 3\nencoding: raw\n\n" + std::string(24, 'x'));
-  EXPECT_NE(complaint(path("v.nrrd")).find("4 dimensions"), std::string::npos) << complaint(path("v.nrrd"));
+  write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 5\nsizes: 2 2 2 1 3\nencoding: raw\n\n" + std::string(24, 'x'));
+  EXPECT_NE(complaint(path("v.nrrd")).find("5 dimensions"), std::string::npos) << complaint(path("v.nrrd"));
+}
+
+TEST_F(Nrrd, readsFourAxesAsASequence) {
+  write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 1 3 4\nencoding: raw\n\n" + bytesOf(counting<uint8_t>(24)));
+  const LoadedVolume volume = readPath(path("v.nrrd"));
+  EXPECT_EQ(volume.dimension, 4);
+  EXPECT_EQ(volume.frames, 4);
+  EXPECT_EQ(volume.size, (std::array<int32_t, 3>{2, 1, 3}));
+  EXPECT_EQ(volume.samples, counting<float>(24));
 }
 
 TEST_F(Nrrd, refusesNaN) {

@@ -67,8 +67,17 @@ TEST_F(Tiff, refusesPagesOfDifferentSize) {
   EXPECT_NE(found.find("page 2 is 3 x 5, the first 4 x 4"), std::string::npos) << found;
 }
 
-TEST_F(Tiff, refusesColoursAndCutFiles) {
-  EXPECT_NE(complaint(write("v.tif", tiff({{2, 1, "rgbrgb"}}, 3))).find("3 values a sample"), std::string::npos);
+TEST_F(Tiff, readsOnePageAsAnImageFromZeroToOne) {
+  const LoadedVolume grey = readPath(write("v.tif", tiff({{2, 1, std::string("\x33\xFF", 2)}})));
+  EXPECT_EQ(grey.dimension, 2);
+  EXPECT_EQ(grey.size, (std::array<int32_t, 3>{2, 1, 1}));
+  EXPECT_EQ(grey.samples, (std::vector<float>{0.2F, 1}));
+  const LoadedVolume colours = readPath(write("v.tif", tiff({{3, 1, std::string("\xFF\0\0\0\xFF\0\0\0\xFF", 9)}}, 3)));
+  EXPECT_EQ(colours.samples, (std::vector<float>{54 / 255.0F, 182 / 255.0F, 18 / 255.0F})) << "luminance";
+}
+
+TEST_F(Tiff, refusesColoursInAStackAndCutFiles) {
+  EXPECT_NE(complaint(write("v.tif", tiff({{2, 1, "rgbrgb"}, {2, 1, "rgbrgb"}}, 3))).find("3 values a sample"), std::string::npos);
   const std::string whole = tiff({page(0), page(6)});
   for (size_t length = 0; length + 1 < whole.size(); ++length)
     EXPECT_NE(complaint(write("v.tif", whole.substr(0, length))), "") << "cut at " << length;
