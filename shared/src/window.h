@@ -129,24 +129,34 @@ class Window {
         rowAt[a][i] = static_cast<uint8_t>(plane & 7);
       }
     }
-    const int end = lattice.last[0] - brick[0] * kBrickSide + kHalo;  // the bit of the last plane
-    const bool mirrorStart = brick[0] == 0, mirrorEnd = end < kSide - 1, flat = lattice.last[0] < kHalo;
     std::array<int, D> i{};
-    for (int r = 0; r < kRows; ++r) {
+    for (uint16_t& bits : rows) {
       std::size_t n = 0, row = 0;
       for (int a = D - 1; a >= 1; --a) {
         n += nearAt[a][i[a]];
         row = row * kBrickSide + rowAt[a][i[a]];
       }
-      uint32_t bits = joined(near[n][row], near[n + 1][row], near[n + 2][row]);
-      if (flat) {
-        bits = mirroredFlat(lattice, bits);
-      } else {
-        if (mirrorStart) bits = (bits & ~3u) | (bits >> 4 & 1) | (bits >> 2 & 2);
-        if (mirrorEnd) bits = (bits & ((2u << end) - 1)) | (bits >> (end - 1) & 1) << (end + 1) | (bits >> (end - 2) & 1) << (end + 2);
-      }
-      rows[r] = static_cast<uint16_t>(bits & ((1u << kSide) - 1));
+      bits = joined(near[n][row], near[n + 1][row], near[n + 2][row]);
       for (int a = 1; a < D && ++i[a] == kSide; ++a) i[a] = 0;
+    }
+    mirrorAlongRows(lattice, brick[0] * kBrickSide);
+  }
+
+  /// Several rows at once, as all have their ends at the same bits.
+  void mirrorAlongRows(const Lattice<D>& lattice, int32_t start) {
+    const int end = lattice.last[0] - start + kHalo;  // the bit of the last plane
+    if (lattice.last[0] < kHalo) {
+      for (uint16_t& bits : rows) bits = static_cast<uint16_t>(mirroredFlat(lattice, bits));
+      return;
+    }
+    if (start == 0) {
+      for (uint16_t& bits : rows) bits = static_cast<uint16_t>((bits & ~3u) | (bits >> 4 & 1) | (bits >> 2 & 2));
+    }
+    if (end < kSide - 1) {
+      const uint32_t inside = (2u << end) - 1, all = (1u << kSide) - 1;
+      for (uint16_t& bits : rows) {
+        bits = static_cast<uint16_t>(((bits & inside) | (bits >> (end - 1) & 1) << (end + 1) | (bits >> (end - 2) & 1) << (end + 2)) & all);
+      }
     }
   }
 
