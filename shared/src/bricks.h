@@ -113,7 +113,6 @@ class Signs {
       bricks_.push_back(brick);
     }
   }
-  void reserve(std::size_t bricks) { bricks_.reserve(bricks); }
 
   [[nodiscard]] bool at(const Coordinates<D>& v) const {
     return (brickAt(placeOf(v)).rows[rowOf(v)] >> (v[0] & 7) & 1) != 0;

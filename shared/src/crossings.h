@@ -37,6 +37,39 @@ uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coord
   return (1u << count) - 1;
 }
 
+/// Calls enter(place) for each marked brick and then visit(brick, row, axes, crossed) for its rows with edges along a set
+/// of axes that are crossed, bit x of `crossed` for the edge from vertex x.
+template <int D, class Enter, class Visit>
+void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals, Enter enter, Visit visit) {
+  Window<D> window;
+  for (std::size_t place = 0; place < marked.size(); ++place) {
+    if (marked[place] == 0) continue;
+    const auto brick = signs.table().brick(place);
+    bool interior = true;
+    for (int a = 0; a < D; ++a) interior = interior && brick[a] * kBrickSide + kBrickSide <= signs.lattice().last[a];
+    window.load(signs, brick);
+    enter(place);
+    for (unsigned axes = 1; axes < 1u << D; ++axes) {
+      if (!diagonals && !std::has_single_bit(axes)) continue;
+      for (unsigned r = 0; r < Window<D>::kOwnRows.size(); ++r) {
+        const uint32_t inside = interior ? 0xFF : edgesInside(signs.lattice(), brick, r, axes);
+        const uint32_t crossed = crossedEdges(window, Window<D>::kOwnRows[r], r, axes) & inside;
+        if (crossed != 0) visit(brick, r, axes, crossed);
+      }
+    }
+  }
+}
+
+/// How many axis edges of the marked bricks have ends of both signs: the vertices of marching cubes.
+template <int D>
+uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marked) {
+  uint64_t count = 0;
+  forCrossedRows(signs, marked, false, [](std::size_t) {}, [&](const Coordinates<D>&, unsigned, unsigned, uint32_t crossed) {
+    count += static_cast<uint64_t>(std::popcount(crossed));
+  });
+  return count;
+}
+
 /// The two ends of an edge: offsets from vertex x of row r in lattice planes and in a ScalarWindow.
 template <int D>
 struct EdgeEnds {

@@ -13,13 +13,14 @@ namespace {
 template <int D>
 class LayerWriter {
  public:
-  LayerWriter(const GridField<D>& field, const Header& header, const EncodeOptions& options)
-      : field_(field), options_(options), octaves_(header.octaves()), quantized_(field, header), distance_(field, header), known_(header) {}
+  LayerWriter(const Header& header, const EncodeOptions& options, const QuantizedField<D>& field, const SourceDistance<D>& distance)
+      : options_(options), octaves_(header.octaves()), field_(field), distance_(distance), known_(header) {}
 
   void signs(const Signs<D>& finest) {
+    std::vector<Signs<D>> coarse(static_cast<std::size_t>(octaves_));
+    for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
     for (int level = 0; level <= octaves_; ++level) {
-      const Signs<D> coarse = level < octaves_ ? field_.signs(int32_t{1} << (octaves_ - level)) : Signs<D>();
-      const Signs<D>& truth = level < octaves_ ? coarse : finest;
+      const Signs<D>& truth = level < octaves_ ? coarse[static_cast<std::size_t>(level)] : finest;
       tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
         if (level == 0) known_.base(ask);
         else known_.refine(ask);
@@ -34,7 +35,7 @@ class LayerWriter {
 
   /// The bricks where a vertex of the surface is off by more than the bound, by place; none if there are none.
   [[nodiscard]] std::vector<uint8_t> beyond(double bound) const { return distance_.beyond(bound, known_.signs, known_.scalars, known_.active); }
-  void select(std::vector<uint8_t> places) { quantized_.select(std::move(places)); }
+  void select(std::vector<uint8_t> places) { field_.select(std::move(places)); }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
 
@@ -47,10 +48,10 @@ class LayerWriter {
       pass->write(fields);
     }
     RangeEncoder coder(layer);
-    TruthExchange<D, RangeEncoder, QuantizedField<D>> ask(coder, truth, quantized_);
+    TruthExchange<D, RangeEncoder, QuantizedField<D>> ask(coder, truth, field_);
     what(ask);
     coder.finish();
-    head.error = distance_.rms(known_.signs, known_.scalars, known_.active);
+    head.error = head.level < octaves_ ? distance_.rms(known_.signs) : distance_.rms(known_.signs, known_.scalars);
     head.bytes = layer.size();
     head.checksum = checksum(head, layer);
     ByteWriter out(bytes_);
@@ -58,11 +59,10 @@ class LayerWriter {
     bytes_.insert(bytes_.end(), layer.begin(), layer.end());
   }
 
-  const GridField<D>& field_;
   const EncodeOptions& options_;
   const int octaves_;
-  QuantizedField<D> quantized_;
-  SourceDistance<D> distance_;
+  QuantizedField<D> field_;
+  const SourceDistance<D>& distance_;
   Knowledge<D> known_;
   std::vector<std::byte> bytes_;
 };
@@ -133,10 +133,12 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   header.lossless = options.lossless;
   header.maxError = options.lossless ? 0 : std::clamp(options.maxError, 1e-9, 1e9);
   const GridField<D> field(samples, size, options.isovalue);
-  const auto finest = field.signs(1);
-  field.quantize(header, finest);
-  header.vertices = countCrossings(finest, activeBricks(finest));
-  LayerWriter<D> layers(field, header, options);
+  const auto finest = field.signs();
+  const auto active = activeBricks(finest);
+  field.quantize(header, finest, active);
+  header.vertices = countCrossings(finest, active);
+  const SourceDistance<D> distance(field, header, finest, active);
+  LayerWriter<D> layers(header, options, QuantizedField<D>(field, header, finest), distance);
   layers.signs(finest);
   if (header.vertices != 0) tellGeometry(layers, header);
   header.bytes = layers.bytes().size();

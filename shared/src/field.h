@@ -1,6 +1,7 @@
 // The source as questions: signs on an octave, scalars on the finest (§3, definitions). Only the encoder has one.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "bricks.h"
@@ -28,18 +29,35 @@ class GridField {
   }
 
   [[nodiscard]] double scalar(const Coordinates<D>& sample) const { return double{samples_[at(sample)]} - isovalue_; }
+  /// Along an axis, per sample; of one side where the other is beyond the box.
+  [[nodiscard]] double slope(const Coordinates<D>& sample, std::size_t axis) const {
+    const std::size_t up = sample[axis] < last_[axis] ? stride_[axis] : 0, down = sample[axis] > 0 ? stride_[axis] : 0, here = at(sample);
+    return (double{samples_[here + up]} - double{samples_[here - down]}) * (up != 0 && down != 0 ? 0.5 : 1);
+  }
   [[nodiscard]] const Coordinates<D>& last() const { return last_; }
 
-  /// Signs on the octave whose planes lie `step` samples apart.
-  [[nodiscard]] Signs<D> signs(int32_t step) const;
+  /// Signs on the finest octave, of all samples; coarsened() tells the others.
+  [[nodiscard]] Signs<D> signs() const;
 
-  /// Fixes what a quantum is, for |scalars| up to the largest at the end of a crossing edge of the RBMT.
-  void quantize(Header& header, const Signs<D>& signs) const;
+  /// Fixes what a quantum is, for |scalars| up to the largest at the end of a crossing edge of the RBMT; `active` as of
+  /// activeBricks(signs).
+  void quantize(Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active) const;
 
   /// In quanta of a header.
-  [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const;
-  /// The median difference along the crossing axis edges of a brick, 4 log2 of quanta.
-  [[nodiscard]] int gradient(const Header& header, std::size_t place) const;
+  [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {
+    if (place != lastPlace_) {
+      lastPlace_ = place;
+      lastStart_ = at(vertex(table_.brick(place), 0));
+    }
+    std::size_t sample = lastStart_ + static_cast<std::size_t>(x);
+    for (int a = 1; a < D; ++a, r /= kBrickSide) sample += (r % kBrickSide) * stride_[a];
+    double d = double{samples_[sample]} - isovalue_;
+    if (header.quantum != 1) d /= header.quantum;
+    if (header.whole) return static_cast<uint32_t>((d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
+    return static_cast<uint32_t>(std::min(std::abs(d), double((1 << 29) - 1)));
+  }
+  /// The median difference along the crossing axis edges in and next to a brick, 4 log2 of quanta. `signs`: the finest octave's.
+  [[nodiscard]] int gradient(const Header& header, const Signs<D>& signs, std::size_t place) const;
 
  private:
   [[nodiscard]] std::size_t at(const Coordinates<D>& v) const {
@@ -68,15 +86,16 @@ class GridField {
 template <int D>
 class QuantizedField {
  public:
-  QuantizedField(const GridField<D>& field, const Header& header) : field_(field), header_(header) {}
+  QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs) : field_(field), header_(header), signs_(signs) {}
   void select(std::vector<uint8_t> places) { selected_ = std::move(places); }
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(header_, place, r, x); }
-  [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, place); }
+  [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, signs_, place); }
   [[nodiscard]] bool selected(std::size_t place) const { return selected_[place] != 0; }
 
  private:
   const GridField<D>& field_;
   const Header& header_;
+  const Signs<D>& signs_;
   std::vector<uint8_t> selected_;
 };
 

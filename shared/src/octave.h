@@ -1,6 +1,8 @@
 // From one octave's signs to the next (§5.2): what the coarser one tells of the finer, and where it may still change.
 #pragma once
 
+#include <optional>
+
 #include "bricks.h"
 
 namespace isostar {
@@ -57,6 +59,69 @@ Signs<D> refined(const Signs<D>& coarse) {
     if ((fine.lattice().last[a] & 1) != 0) copyEndPlane(coarse, fine, a);
   }
   return fine;
+}
+
+/// The even bits of a byte, side by side.
+constexpr unsigned evenBits(unsigned byte) {
+  byte &= 0x55;
+  byte = (byte | byte >> 1) & 0x33;
+  return (byte | byte >> 2) & 0x0F;
+}
+
+/// The uniform brick that all bricks share which a brick of the coarser octave covers.
+template <int D>
+std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>& at) {
+  std::optional<uint32_t> common;
+  for (std::size_t n = 0; n < power(2, D); ++n) {
+    Coordinates<D> finer;
+    for (int a = 0; a < D; ++a) finer[a] = std::min(at[a] * 2 + static_cast<int32_t>(n >> a & 1), fine.table().count(a) - 1);
+    const uint32_t index = fine.index(fine.table().place(finer));
+    if (index > Signs<D>::kPositive || index != common.value_or(index)) return std::nullopt;
+    common = index;
+  }
+  return common;
+}
+
+/// A brick of the coarser octave; beyond the lattice its last plane goes on, as it does in the finer bricks.
+template <int D>
+Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
+  const auto& table = fine.table();
+  Brick<D> brick;
+  Coordinates<D> v{};
+  for (auto& row : brick.rows) {
+    Coordinates<D> finer{};
+    std::size_t finerRow = 0;
+    for (int a = D - 1; a >= 1; --a) {
+      const int32_t plane = std::min((at[a] * kBrickSide + v[a]) * 2, fine.lattice().last[a]);
+      finer[a] = plane / kBrickSide;
+      finerRow = finerRow * kBrickSide + static_cast<std::size_t>(plane % kBrickSide);
+    }
+    const std::size_t first = table.place(finer);
+    auto signsOf = [&](int32_t x) {
+      const int32_t end = table.count(0) - 1;
+      const unsigned signs = fine.brickAt(first + static_cast<std::size_t>(std::min(x, end))).rows[finerRow];
+      return x <= end ? signs : (signs >> (kBrickSide - 1)) * 0xFFu;
+    };
+    row = static_cast<uint8_t>(evenBits(signsOf(at[0] * 2)) | evenBits(signsOf(at[0] * 2 + 1)) << 4);
+    for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+  }
+  return brick;
+}
+
+/// The signs of the octave before, whose vertices are some of this one's.
+template <int D>
+Signs<D> coarsened(const Signs<D>& fine) {
+  Signs<D> coarse(Lattice<D>(fine.lattice().box, fine.lattice().step * 2));
+  const auto& table = coarse.table();
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    const auto at = table.brick(place);
+    if (const auto uniform = uniformBelow<D>(fine, at)) {
+      coarse.setUniform(place, *uniform);
+    } else {
+      coarse.put(place, coarsenedBrick<D>(fine, at));
+    }
+  }
+  return coarse;
 }
 
 /// Has the part of a mixed brick that faces the direction -d a vertex that is not of the sign given?

@@ -16,12 +16,12 @@ Error withSource(std::span<const float> samples, Header header, double isovalue,
   std::copy_n(header.size.begin(), D, size.begin());
   if (!invertible(header.placement) || !sensible<D>(samples, size, isovalue)) return Error::BadArgument;
   const GridField<D> field(samples, size, isovalue);
-  const auto signs = field.signs(1);
+  const auto signs = field.signs();
+  const auto active = activeBricks(signs);
   header.isovalue = isovalue;
   header.lossless = true;
   header.polygonizer = polygonizer;
-  field.quantize(header, signs);
-  const auto active = activeBricks(signs);
+  field.quantize(header, signs, active);
   Scalars<D> scalars(active.size());
   Tube<D> tube;
   for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {

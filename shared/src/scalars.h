@@ -40,6 +40,7 @@ class Scalars {
   Scalars() = default;
   explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, 0), bricks_(1) { bricks_[kNone].value.fill(kUnknown); }
 
+  [[nodiscard]] std::size_t places() const { return at_.size(); }
   [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
   [[nodiscard]] const Brick& at(std::size_t place) const { return bricks_[at_[place]]; }
   [[nodiscard]] const Brick& nothing() const { return bricks_[kNone]; }

@@ -7,15 +7,18 @@
 
 namespace isostar {
 
-/// Distances in grid steps along the smallest spacing.
+/// Distances in grid steps along the smallest spacing. Those of a sample of the source's vertices stand for all.
 template <int D>
 class SourceDistance {
  public:
-  SourceDistance(const GridField<D>& field, const Header& header) : field_(field), header_(header) {}
+  /// Of the finest octave: its signs, and `active` as of activeBricks(signs).
+  SourceDistance(const GridField<D>& field, const Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active);
 
-  /// RMS distance of the surface that `cubes` makes of what is known, from a sample of its vertices. `active` as of
-  /// activeBricks(signs); scalars may be empty.
-  [[nodiscard]] double rms(const Signs<D>& signs, const Scalars<D>& scalars, const std::vector<uint8_t>& active) const;
+  /// RMS distance from the source's surface to what `cubes` makes of a coarse octave's signs: what is missing counts, too.
+  /// Where there is nothing yet, the diagonal of the box.
+  [[nodiscard]] double rms(const Signs<D>& coarse) const;
+  /// RMS distance of the finest octave's surface; scalars without places stand for none told.
+  [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars) const;
 
   /// The bricks with an end of an edge on which a vertex of the finest surface is off by more than a bound, 1 marked, by
   /// place; empty if there is none. All scalars are known.
@@ -24,18 +27,26 @@ class SourceDistance {
  private:
   using Point = std::array<double, D>;
 
-  [[nodiscard]] double crossing(const Coordinates<D>& even, const Coordinates<D>& odd) const;
-  [[nodiscard]] Point normal(const Coordinates<D>& even, const Coordinates<D>& odd) const;
-  [[nodiscard]] double nearest(const Point& sample, int32_t step) const;
-  [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, const EdgeEnds<D>& ends) const;
+  /// A vertex of the source's surface.
+  struct Sample {
+    std::size_t place;    // of its edge's first vertex
+    int evenAt, oddAt;    // the edge's ends in a ScalarWindow
+    double crossing;      // where on the edge it lies, from the even end (0) to the odd one (1)
+    double perEdge;       // how far the surface moves as the vertex moves along the whole edge
+    Point position, normal;
+  };
+
+  [[nodiscard]] double crossing(const EdgeEnds<D>& ends) const;
+  [[nodiscard]] double size(int32_t value) const;
+  [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, int evenAt, int oddAt) const;
+  [[nodiscard]] Point normal(const EdgeEnds<D>& ends) const;
 
   const GridField<D>& field_;
   const Header& header_;
+  Point unit_;                  // by axis
+  std::vector<Sample> samples_;  // by place
+  std::vector<uint8_t> near_;    // bricks with ends of the samples' edges, by place
 };
-
-/// How many axis edges have ends of both signs: the vertices of marching cubes.
-template <int D>
-[[nodiscard]] uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& active);
 
 /// The length of an edge along a set of axes, in grid steps along the smallest spacing. The fourth axis is time: a frame
 /// counts as one step.

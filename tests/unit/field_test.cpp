@@ -1,0 +1,121 @@
+#include "field.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "octave.h"
+#include "sign_fields.h"
+
+namespace isostar {
+namespace {
+
+template <int D>
+Coordinates<D> sizeOf(Coordinates<D> box) {
+  for (int32_t& n : box) ++n;
+  return box;
+}
+
+/// As bricks keep them, also beyond the lattice: there the last plane goes on.
+template <int D>
+void expectSigns(const Signs<D>& signs, const SignField<D>& field) {
+  const auto& lattice = signs.lattice();
+  Coordinates<D> whole;
+  for (int a = 0; a < D; ++a) whole[a] = lattice.last[a] | (kBrickSide - 1);
+  forVertices(Lattice<D>(whole, 1), [&](const Coordinates<D>& v) {
+    Coordinates<D> sample;
+    for (int a = 0; a < D; ++a) sample[a] = lattice.sample(a, std::min(v[a], lattice.last[a]));
+    ASSERT_EQ(signs.at(v), field.positive(sample))
+        << field.name << " at " << testing::PrintToString(v) << ", step " << lattice.step;
+  });
+}
+
+/// On the finest octave, and on those that it holds.
+template <int D>
+void expectOctaves(const Coordinates<D>& box) {
+  SCOPED_TRACE(testing::PrintToString(box));
+  for (const auto& field : signFields<D>(box)) {
+    std::vector<float> samples;
+    forVertices(Lattice<D>(box, 1),
+                [&](const Coordinates<D>& v) { samples.push_back(field.positive(v) ? 3.0f : 2.0f); });
+    Signs<D> signs = GridField<D>(samples, sizeOf<D>(box), 2.5).signs();
+    expectSigns(signs, field);
+    while (std::ranges::any_of(signs.lattice().last, [](int32_t last) { return last > 1; })) {
+      signs = coarsened(signs);
+      expectSigns(signs, field);
+    }
+  }
+}
+
+TEST(Field, signsOnEachOctave) {
+  for (int32_t last = 1; last < 40; ++last) expectOctaves<2>({last, 40 - last});
+  expectOctaves<2>({63, 64});
+  expectOctaves<2>({128, 127});
+  expectOctaves<3>({16, 33, 5});
+  expectOctaves<3>({31, 1, 47});
+  expectOctaves<4>({9, 4, 17, 3});
+}
+
+TEST(Field, positiveIsAboveTheIsovalueExactly) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  const std::vector<float> samples{-kMost, -1, -0.1f, 0, 0.1f, 1, 7, kMost};
+  for (const double isovalue :
+       {-1e300, double{-kMost}, -1.0, 0.1, double{0.1f}, 0.0, 1 + 1e-12, 1 - 1e-12, double{kMost}, 1e300}) {
+    const GridField<3> field(samples, {2, 2, 2}, isovalue);
+    const auto signs = field.signs();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const auto at = static_cast<int32_t>(i);
+      EXPECT_EQ(signs.at({at & 1, at >> 1 & 1, at >> 2}), double{samples[i]} > isovalue)
+          << samples[i] << " at isovalue " << isovalue;
+    }
+  }
+}
+
+TEST(Field, sensibleFindsWhatIsNoNumber) {
+  std::vector<float> samples(7 * 5 * 3, 1);
+  EXPECT_TRUE(sensible<3>(samples, {7, 5, 3}, 0));
+  EXPECT_FALSE(sensible<3>(samples, {7, 5, 4}, 0));
+  EXPECT_FALSE(sensible<3>(samples, {7, 5, 0}, 0));
+  EXPECT_FALSE(sensible<3>(samples, {7, 5, 3}, std::nan("")));
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (float& sample : samples) {
+    for (const float strange : {kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+      sample = strange;
+      EXPECT_FALSE(sensible<3>(samples, {7, 5, 3}, 0));
+    }
+    sample = 1;
+  }
+}
+
+/// A brick's gradient is the median over all crossing edges in it and from the planes before it.
+TEST(Field, gradientIsTheMedianDifference) {
+  const Coordinates<3> size{21, 17, 12};
+  std::mt19937 random(5);
+  std::vector<float> samples(21 * 17 * 12);
+  for (float& sample : samples) sample = static_cast<float>(random() % 4096);
+  const GridField<3> field(samples, size, 2048.5);
+  const auto signs = field.signs();
+  Header header;
+  header.quantum = 1;
+  for (std::size_t place = 0; place < signs.table().total(); ++place) {
+    const auto brick = signs.table().brick(place);
+    std::vector<double> differences;
+    forVertices(Lattice<3>(field.last(), 1), [&](const Coordinates<3>& v) {
+      for (int a = 0; a < 3; ++a) {
+        if (v[a] < brick[a] * 8 - 1 || v[a] > brick[a] * 8 + 7) return;
+      }
+      for (int a = 0; a < 3; ++a) {
+        auto next = v;
+        if (++next[a] > field.last()[a] || signs.at(next) == signs.at(v)) continue;
+        differences.push_back(std::abs(field.scalar(next) - field.scalar(v)));
+      }
+    });
+    std::ranges::sort(differences);
+    const double median = differences.empty() ? 1 : differences[differences.size() / 2];
+    EXPECT_EQ(field.gradient(header, signs, place), std::lround(4 * std::log2(std::max(1.0, median)))) << place;
+  }
+}
+
+}  // namespace
+}  // namespace isostar
