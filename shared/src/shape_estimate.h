@@ -23,7 +23,7 @@ class ShapeEstimate {
     std::size_t inner = 1, outer = kRows / Window<D>::kSide;
     for (std::size_t axis = 1; axis < D; ++axis, inner *= kBrickSide, outer /= Window<D>::kSide) {
       if constexpr (D > 3) {
-        if (axis == 3) forRows(axis, outer * Window<D>::kSide * inner, [](Row row) { return row >> 4; });
+        if (axis == 3) forRows(axis + 1, outer * Window<D>::kSide * inner, [](Row row) { return row >> 4; });
       }
       slope(fields_[0].data(), fields_[axis + 1].data(), outer, inner);
       for (std::size_t f = 0; f <= axis; ++f) smooth(fields_[f].data(), outer, inner);
