@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "bricks.h"
@@ -31,11 +32,10 @@ class Window {
     bool interior = true;
     for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
     const Near near = bricksAround(signs, brick, interior);
-    if (interior) {
-      loadInterior(near);
-    } else {
-      loadAtBorder(near, lattice, brick);
-    }
+    copy(near);
+    if (interior) return;
+    mirrorRows(near, lattice, brick);
+    mirrorAlongRows(lattice, brick[0] * kBrickSide);
   }
 
   std::array<uint16_t, kRows> rows;
@@ -54,7 +54,7 @@ class Window {
  private:
   using Near = std::array<const uint8_t*, power(3, D)>;
 
-  /// Three a row of bricks; a place beyond the table is never read thanks to the mirror.
+  /// Three a row of bricks; for one beyond the table another stands in until mirror images cover it.
   static Near bricksAround(const Signs<D>& signs, const Coordinates<D>& brick, bool interior) {
     const auto& table = signs.table();
     const auto centre = static_cast<std::ptrdiff_t>(table.place(brick));
@@ -90,13 +90,13 @@ class Window {
   }
 
   /// Rows come in runs along axis 1: the last of one brick, all of the next, the first of the one after.
-  void loadInterior(const Near& near) {
+  void copy(const Near& near) {
     std::array<int, D> plane{};
     plane.fill(-kHalo);
     for (int r = 0; r < kRows;) {
       std::size_t n = 0, first = 0;
       for (int a = D - 1; a >= 1; --a) {
-        n = n * 3 + static_cast<std::size_t>((plane[a] + kBrickSide) / kBrickSide);
+        n = n * 3 + static_cast<std::size_t>(plane[a] + kBrickSide) / kBrickSide;
         first = first * kBrickSide + static_cast<std::size_t>(plane[a] & (kBrickSide - 1));
       }
       const int run = plane[1] >= 0 && plane[1] < kBrickSide ? kBrickSide : kHalo;
@@ -117,29 +117,37 @@ class Window {
     }
   }
 
-  void loadAtBorder(const Near& near, const Lattice<D>& lattice, const Coordinates<D>& brick) {
-    // For each outer axis and plane of the window: which of the three bricks, and which rows of it.
+  /// Rows beyond the lattice become those that mirror them.
+  void mirrorRows(const Near& near, const Lattice<D>& lattice, const Coordinates<D>& brick) {
+    // For each outer axis and plane of the window: which of the three bricks, which rows of it, and is it a mirror image?
     std::array<std::array<uint8_t, kSide>, D> nearAt{}, rowAt{};
+    std::array<uint32_t, D> images{};
     for (int a = 1; a < D; ++a) {
       for (int i = 0; i < kSide; ++i) {
-        const int32_t plane = lattice.mirrored(a, brick[a] * kBrickSide + i - kHalo);
+        const int32_t at = brick[a] * kBrickSide + i - kHalo, plane = lattice.mirrored(a, at);
         // Planes far beyond the lattice have a mirror image out of reach: nobody looks at them.
         const int32_t away = std::clamp((plane >> 3) - brick[a], -1, 1);
         nearAt[a][i] = static_cast<uint8_t>((away + 1) * static_cast<int>(power(3, a)));
         rowAt[a][i] = static_cast<uint8_t>(plane & 7);
+        images[a] |= static_cast<uint32_t>(plane != at) << i;
       }
     }
     std::array<int, D> i{};
-    for (uint16_t& bits : rows) {
-      std::size_t n = 0, row = 0;
-      for (int a = D - 1; a >= 1; --a) {
-        n += nearAt[a][i[a]];
-        row = row * kBrickSide + rowAt[a][i[a]];
+    for (std::size_t first = 0; first < kRows; first += kSide) {
+      std::size_t outerNear = 0, outerRow = 0;
+      uint32_t open = images[1];
+      for (int a = D - 1; a >= 2; --a) {
+        outerNear += nearAt[a][i[a]];
+        outerRow = (outerRow + rowAt[a][i[a]]) * kBrickSide;
+        if ((images[a] >> i[a] & 1) != 0) open = (1u << kSide) - 1;
       }
-      bits = joined(near[n][row], near[n + 1][row], near[n + 2][row]);
-      for (int a = 1; a < D && ++i[a] == kSide; ++a) i[a] = 0;
+      for (; open != 0; open &= open - 1) {
+        const int r = std::countr_zero(open);
+        const std::size_t n = outerNear + nearAt[1][r], row = outerRow + rowAt[1][r];
+        rows[first + static_cast<std::size_t>(r)] = joined(near[n][row], near[n + 1][row], near[n + 2][row]);
+      }
+      for (int a = 2; a < D && ++i[a] == kSide; ++a) i[a] = 0;
     }
-    mirrorAlongRows(lattice, brick[0] * kBrickSide);
   }
 
   /// Several rows at once, as all have their ends at the same bits.
