@@ -102,7 +102,7 @@ double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, int evenAt, in
 template <int D>
 double SourceDistance<D>::rms(const Signs<D>& coarse) const {
   constexpr std::size_t kSamples = 128;  // each searches for the nearest vertex
-  constexpr double kNear = 1.5;          // steps of the octave
+  constexpr double kBeside = 0.75;       // steps of the octave: so far beside a vertex the surface goes on as a plane
   if (samples_.empty()) return 0;
   const VertexCloud<D> cloud(coarse, unit_);
   if (cloud.empty()) {
@@ -115,9 +115,8 @@ double SourceDistance<D>::rms(const Signs<D>& coarse) const {
   for (std::size_t i = 0; i < samples_.size(); i += stride) {
     const Point offset = cloud.toNearest(samples_[i].position);
     const double squared = dot(offset, offset), height = dot(offset, samples_[i].normal);
-    // Near by, the surface is a plane: the vertex may lie beside the foot.
-    const double near = kNear * coarse.lattice().step;
-    sum += squared < near * near ? height * height : squared;
+    const double beside = kBeside * coarse.lattice().step;
+    sum += squared - height * height < beside * beside ? height * height : squared;
   }
   return std::sqrt(sum / static_cast<double>((samples_.size() + stride - 1) / stride));
 }
