@@ -163,6 +163,10 @@ void addEncode(CLI::App& app) {
                                 "Farthest that the decoded surface and the source's may be apart")
                     ->check(kPositive);
   command.add_flag("--lossless", options.lossless, "Keep the polygonizer's own surface of the source")->excludes(bound);
+  command
+      .add_flag("--adaptive", options.adaptive,
+                "Coarser simplices where they keep the bound, if that makes the file smaller; not for sequences")
+      ->excludes("--lossless");
   addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
   addUnits(command, arguments->units, "What lengths count: steps of the grid's smallest spacing, or the world's unit");
   addSize(command, volume.size, "Samples along each axis of a raw volume, x fastest, little endian");

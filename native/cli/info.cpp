@@ -58,6 +58,7 @@ void printJson(const StreamInfo& info, double unit) {
       {"direction", info.placement.direction},
       {"polygonizer", nameOf(info.polygonizer)},
       {"lossless", info.lossless},
+      {"adaptive", info.adaptive},
       {"maxError", info.maxError * unit},
       {"bytes", info.bytes},
       {"vertices", info.vertices},
@@ -89,7 +90,8 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
   line("error", info.lossless
                     ? text("lossless, %s", nameOf(info.polygonizer))
                     : text("at most %g %s, %s", info.maxError * unit,
-                           arguments.units == Units::World ? "world units" : "grid steps", nameOf(info.polygonizer)));
+                           arguments.units == Units::World ? "world units" : "grid steps", nameOf(info.polygonizer)) +
+                          (info.adaptive ? ", adaptive" : ""));
 }
 
 void printBits(const StreamInfo& info) {

@@ -21,7 +21,7 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     if (active[place] == 0) continue;
     tube.enter(signs, place, members);
     if (tube.empty()) continue;
-    if (known.has(place)) gradient = known.gradient(place);
+    if (known.hasGradient(place)) gradient = known.gradient(place);
     window.load(known, tube.table(), tube.at());
     shapes.load(tube.window());
     auto& brick = scalars.writable(place);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "encode_adaptive.h"
 #include "field.h"
 #include "isostar/isostar.h"
 #include "layers.h"
@@ -121,12 +122,22 @@ void tellGeometry(LayerWriter<D>& layers, const Header& header) {
   }
 }
 
+Error put(Header& header, const std::vector<std::byte>& layers, const EncodeOptions& options, std::vector<std::byte>& out) {
+  header.bytes = layers.size();
+  ByteWriter writer(out);
+  write(writer, header);
+  out.insert(out.end(), layers.begin(), layers.end());
+  if (options.progress) options.progress(1);
+  return Error::None;
+}
+
 /// Does all that does not depend on whose samples they are; the header already tells size and placement.
 template <int D>
 Error encodeGrid(std::span<const float> samples, Header header, const EncodeOptions& options, std::vector<std::byte>& out) {
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
+  if (options.adaptive && (options.lossless || D == 4)) return Error::BadArgument;
   if (!bounded || !invertible(header.placement) || !sensible<D>(samples, size, options.isovalue)) return Error::BadArgument;
   header.isovalue = options.isovalue;
   header.polygonizer = options.polygonizer;
@@ -137,16 +148,21 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   const auto active = activeBricks(finest);
   field.quantize(header, finest, active);
   header.vertices = countCrossings(finest, active);
+  Header adaptiveHeader = header;
+  std::vector<std::byte> adaptive;
+  if constexpr (D < 4) {
+    if (options.adaptive && header.vertices != 0) {
+      adaptiveHeader.adaptive = true;
+      if (!encodeAdaptive(field, options, finest, adaptiveHeader, adaptive)) adaptive.clear();
+    }
+  }
   const SourceDistance<D> distance(field, header, finest, active);
   LayerWriter<D> layers(header, options, QuantizedField<D>(field, header, finest), distance);
   layers.signs(finest);
   if (header.vertices != 0) tellGeometry(layers, header);
-  header.bytes = layers.bytes().size();
-  ByteWriter writer(out);
-  write(writer, header);
-  out.insert(out.end(), layers.bytes().begin(), layers.bytes().end());
-  if (options.progress) options.progress(1);
-  return Error::None;
+  // Where coarse simplices do not pay, there are none.
+  if (!adaptive.empty() && adaptive.size() < layers.bytes().size()) return put(adaptiveHeader, adaptive, options, out);
+  return put(header, layers.bytes(), options, out);
 }
 
 }  // namespace

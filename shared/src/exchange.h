@@ -42,11 +42,15 @@ class TruthExchange {
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(place); }
   /// Does the brick take part in a selective pass?
   [[nodiscard]] bool selected(std::size_t place) const { return field_.selected(place); }
+  /// Of an adaptive octave: the centres of cells that stay whole, as row() has signs.
+  void keep(const Signs<D>& centres) { kept_ = &centres; }
+  [[nodiscard]] uint32_t keptRow(std::size_t place, std::size_t r) const { return kept_->brickAt(place).rows[r]; }
 
  private:
   Coder& coder_;
   const Signs<D>& truth_;
   const Field& field_;
+  const Signs<D>* kept_ = nullptr;
 };
 
 /// The decoder's side: there is no field to ask, so that a peek at the truth does not compile into anything.
@@ -65,6 +69,7 @@ class BlindExchange {
   [[nodiscard]] bool overBudget() const { return overBudget_; }
 
   [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
+  [[nodiscard]] uint32_t keptRow(std::size_t, std::size_t) const { return 0; }
   [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
   [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const { return std::nullopt; }

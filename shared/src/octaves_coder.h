@@ -22,11 +22,19 @@ class OctavesCoder {
   /// octaves below the brick's gradient.
   template <class Exchange>
   void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active) {
+    tell(ask, signs, scalars, members, depth, active, [](Tube<D>&) {});
+  }
+
+  /// The same for the members that choose(tube) leaves or adds.
+  template <class Exchange, class Choose>
+  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
+            Choose choose) {
     for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
       if (active[place] == 0) continue;
       tube_.enter(signs, place, members);
+      choose(tube_);
       if (tube_.empty()) continue;
-      if (!scalars.has(place)) tellGradient(ask, scalars, place);
+      if (!scalars.hasGradient(place)) tellGradient(ask, scalars, place);
       if (ask.spent()) return;  // what was read of the gradient may be noise
       brick(ask, scalars, members, place, depth);
     }

@@ -28,10 +28,17 @@ class RefinementCoder {
     weights_.fill(Mixer<kInputs>::fresh());
   }
 
-  /// One bisection of the whole octave: tells the vertices fresh on `dimension` axes, D first.
+  /// One bisection of the whole octave: tells the vertices fresh on `dimension` axes, D first. Of an adaptive octave
+  /// (§5.2) `absent` are the vertices that are not in the mesh: the first bisection tells of each crossing cell whether
+  /// it stays whole, and a vertex whose diamond has an absent one is absent too, so that the mesh conforms.
   template <class Exchange>
-  void bisect(Exchange& ask, Signs<D>& signs, int dimension) {
+  void bisect(Exchange& ask, Signs<D>& signs, int dimension, Signs<D>* absent = nullptr) {
+    absent_ = absent;
     if (dimension == D) active_ = activeBricks(signs);
+    if (absent != nullptr) {
+      const auto near = activeBricks(*absent);
+      for (std::size_t place = 0; place < near.size(); ++place) active_[place] |= near[place];
+    }
     for (std::size_t first = 0; first < active_.size() && !ask.spent(signs.memory()); first += kGroup) {
       quietGroup(ask, signs, dimension, first, std::min(first + kGroup, active_.size()));
     }
@@ -67,6 +74,7 @@ class RefinementCoder {
     uint8_t fresh;    // the axes on which its vertices are fresh
     uint8_t members;  // its vertices of the class
     uint8_t open;     // those whose diamond has both signs
+    uint8_t absent;   // those that are not in the mesh
   };
 
   /// Components that first appear far from the surface.
@@ -87,6 +95,35 @@ class RefinementCoder {
     }
   }
 
+  /// Which crossing cells of a brick stay whole, by those before.
+  template <class Exchange>
+  void tellWhole(Exchange& ask, std::size_t place) {
+    for (int i = 0; i < openCount_; ++i) {
+      Row& row = rows_[open_[static_cast<std::size_t>(i)]];
+      const auto& n = neighbourhoods_[row.fresh];
+      const Bits truth = ask.keptRow(place, row.brick);
+      uint16_t& absent = absentWindow_.rows[row.window];
+      for (Bits open = row.open; open != 0; open &= open - 1) {
+        const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
+        const auto packs = RowPacks<D>::around(&absent);
+        const unsigned siblings = packs.count(n.siblingMask, at), far = packs.count(n.farMask, at);
+        Chance& chance = whole_[std::min(siblings, 7u) * 4 + (far == 0 ? 0 : far < 4 ? 1 : far < 12 ? 2 : 3)];
+        if (!chance.bit(ask.coder(), (truth >> x & 1) != 0)) continue;
+        absent = static_cast<uint16_t>(absent | 1u << at);
+        row.absent = static_cast<uint8_t>(row.absent | 1u << x);
+      }
+      row.open = static_cast<uint8_t>(row.open & ~row.absent);
+    }
+  }
+
+  void storeAbsent(std::size_t place) {
+    Bits any = 0;
+    for (int i = 0; i < rowCount_; ++i) any |= rows_[i].absent;
+    if (any == 0) return;
+    auto& rows = absent_->writable(place).rows;
+    for (int i = 0; i < rowCount_; ++i) rows[rows_[i].brick] = static_cast<uint8_t>(rows[rows_[i].brick] | rows_[i].absent);
+  }
+
   template <class Exchange>
   bool differs(Exchange& ask, const Signs<D>& signs, std::size_t place, int dimension) {
     if (!ask.varies(place, signs.index(place))) return false;
@@ -100,6 +137,10 @@ class RefinementCoder {
   template <class Exchange>
   void brick(Exchange& ask, Signs<D>& signs, std::size_t place, int dimension) {
     enter(signs, place, dimension);
+    if (absent_ != nullptr) {
+      if (dimension == D) tellWhole(ask, place);
+      storeAbsent(place);
+    }
     int told = 0;
     for (int i = 0; i < openCount_; ++i) told += tellRow(ask, place, rows_[open_[static_cast<std::size_t>(i)]]);
     if (brickFlag_[dimension][activity(told)].bit(ask.coder(), hasExceptions(ask, place))) tellExceptions(ask, place, activity(told));
@@ -111,9 +152,11 @@ class RefinementCoder {
     changed_ = false;
     window_.load(signs, at);
     findRows(signs.lattice(), at, dimension);
+    if (absent_ != nullptr) absentWindow_.load(*absent_, at);
     openCount_ = 0;
     for (int i = 0; i < rowCount_; ++i) {
-      rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members);
+      rows_[i].absent = absent_ == nullptr ? uint8_t{0} : static_cast<uint8_t>(besideAbsent(rows_[i]) & rows_[i].members);
+      rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members & ~rows_[i].absent);
       open_[static_cast<std::size_t>(openCount_)] = static_cast<uint16_t>(i);
       openCount_ += rows_[i].open != 0 ? 1 : 0;
     }
@@ -145,7 +188,7 @@ class RefinementCoder {
       const Bits members = left == 1 ? fresh : left == 0 ? inside & ~fresh : 0;
       if (in && members != 0) {
         rows_[rowCount_++] = {Window<D>::kOwnRows[r], static_cast<uint16_t>(r), static_cast<uint8_t>(o | static_cast<unsigned>(left)),
-                              static_cast<uint8_t>(members), 0};
+                              static_cast<uint8_t>(members), 0, 0};
       }
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
@@ -161,6 +204,16 @@ class RefinementCoder {
       all &= bits;
     }
     return some & ~all;
+  }
+
+  /// Which vertices of a row have a diamond with a vertex that is not in the mesh.
+  [[nodiscard]] Bits besideAbsent(const Row& row) const {
+    const auto& n = neighbourhoods_[row.fresh];
+    Bits any = 0;
+    for (int i = 0; i < n.diamondCount(); ++i) {
+      any |= static_cast<Bits>(absentWindow_.rows[row.window + n.diamond[i].rows]) >> (Window<D>::kHalo + n.diamond[i].bits);
+    }
+    return any;
   }
 
   template <class Exchange>
@@ -216,7 +269,7 @@ class RefinementCoder {
   /// The members of a row whose sign was deduced and is false.
   template <class Exchange>
   Bits exceptions(Exchange& ask, std::size_t place, const Row& row) const {
-    return (ask.row(place, row.brick) ^ window_.rows[row.window] >> Window<D>::kHalo) & row.members & ~Bits{row.open};
+    return (ask.row(place, row.brick) ^ window_.rows[row.window] >> Window<D>::kHalo) & row.members & ~Bits{row.open} & ~Bits{row.absent};
   }
 
   template <class Exchange>
@@ -230,7 +283,7 @@ class RefinementCoder {
   void tellExceptions(Exchange& ask, std::size_t place, int activity) {
     for (int i = 0; i < rowCount_; ++i) {
       const Row& row = rows_[i];
-      Bits deduced = row.members & ~Bits{row.open};
+      Bits deduced = row.members & ~Bits{row.open} & ~Bits{row.absent};
       const Bits flips = exceptions(ask, place, row);
       if (deduced == 0 || !rowFlag_[activity].bit(ask.coder(), flips != 0)) continue;
       const Bits signs = static_cast<Bits>(window_.rows[row.window]) >> Window<D>::kHalo;
@@ -251,6 +304,8 @@ class RefinementCoder {
   std::vector<uint8_t> active_;  // bricks of the octave in work, as of activeBricks()
   std::vector<std::size_t> changedPlaces_;
   Window<D> window_;
+  Signs<D>* absent_ = nullptr;  // null: all are in the mesh
+  Window<D> absentWindow_;
   RowPacks<D> packs_;
   std::array<Row, kBrickRows> rows_;
   int rowCount_ = 0;
@@ -269,6 +324,7 @@ class RefinementCoder {
   std::array<Chance, 5> rowFlag_;
   std::array<Chance, D + 1> groupFlag_, quietFlag_;
   Chance vertexFlag_;
+  std::array<Chance, 32> whole_;
 };
 
 }  // namespace isostar

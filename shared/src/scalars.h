@@ -38,7 +38,7 @@ class Scalars {
   };
 
   Scalars() = default;
-  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, 0), bricks_(1) { bricks_[kNone].value.fill(kUnknown); }
+  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, kNoGradient), bricks_(1) { bricks_[kNone].value.fill(kUnknown); }
 
   [[nodiscard]] std::size_t places() const { return at_.size(); }
   [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
@@ -53,6 +53,7 @@ class Scalars {
   }
   /// The typical difference of scalars along a crossing edge of the brick, as 4 log2 of quanta.
   [[nodiscard]] int gradient(std::size_t place) const { return gradient_[place]; }
+  [[nodiscard]] bool hasGradient(std::size_t place) const { return gradient_[place] != kNoGradient; }
   void setGradient(std::size_t place, int quarterOctaves) { gradient_[place] = static_cast<uint8_t>(quarterOctaves); }
   /// Multiplies all values by the power of two that leaves room, 2^12 at the most, and tells which.
   int magnify() {
@@ -75,6 +76,7 @@ class Scalars {
 
  private:
   static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing
+  static constexpr uint8_t kNoGradient = 255;
 
   std::vector<uint32_t> at_;
   std::vector<uint8_t> gradient_;

@@ -21,7 +21,8 @@ enum Flag : uint32_t {
   kDirection = 16,
   kWhole = 32,
   kByteSteps = 64,
-  kKnownFlags = 127
+  kAdaptive = 128,
+  kKnownFlags = 255
 };
 
 /// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
@@ -117,7 +118,7 @@ void write(ByteWriter& out, const Header& h) {
   const std::size_t axes = placed(h);
   const auto& [origin, spacing, direction] = h.placement;
   const bool turned = h.dimension > 2 && direction != plain.direction;
-  const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
+  const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
                          (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
                          (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u);
   std::vector<std::byte> body;
@@ -164,6 +165,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   const uint64_t flags = r.varint();
   if ((flags & ~uint64_t{kKnownFlags}) != 0) return Error::UnsupportedVersion;
   h.lossless = (flags & kLossless) != 0;
+  h.adaptive = (flags & kAdaptive) != 0;
   h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
   bool sane = true;
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {

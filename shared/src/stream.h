@@ -19,6 +19,7 @@ struct Header {
   double isovalue = 0;
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
+  bool adaptive = false;   // layers are those of an AdaptiveMesh
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.

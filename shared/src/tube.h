@@ -39,22 +39,28 @@ class Tube {
     table_ = &signs.table();
     at_ = table_->brick(place);
     window_.load(signs, at_);
-    const auto& lattice = signs.lattice();
-    uint32_t inside = 0;
-    for (int x = 0; x < kBrickSide && at_[0] * kBrickSide + x <= lattice.last[0]; ++x) inside |= 1u << x;
     members_ = {};
     positive_ = {};
-    Coordinates<D> v{};
-    for (std::size_t r = 0; r < kRows; ++r) {
-      bool in = true;
-      for (int a = 1; a < D; ++a) in = in && at_[a] * kBrickSide + v[a] <= lattice.last[a];
-      const int row = Window<D>::row(v);
-      const uint32_t ends = axisEnds(row);
-      const uint64_t mask = !in ? 0 : inside & (members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends);
-      members_.words[r / kBrickSide] |= mask << (r % kBrickSide * kBrickSide);
-      positive_.words[r / kBrickSide] |= (mask & bits(row) >> Window<D>::kHalo) << (r % kBrickSide * kBrickSide);
-      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
-    }
+    gather(signs.lattice(), [&](const Coordinates<D>& v) {
+      const uint32_t ends = axisEnds(Window<D>::row(v));
+      return members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends;
+    });
+  }
+
+  /// Adds the other class to the axis ends entered.
+  void addDiagonalEnds(const Signs<D>& signs) {
+    gather(signs.lattice(), [&](const Coordinates<D>& v) { return diagonalEnds(v); });
+  }
+
+  /// Leaves out the members that `keeps(r, x)` does not want.
+  template <class Keeps>
+  void keepOnly(Keeps keeps) {
+    VertexSet<D> kept;
+    members_.forEach([&](std::size_t r, int x) {
+      if (keeps(r, x)) kept.words[r / kBrickSide] |= VertexSet<D>::bit(r, x);
+    });
+    members_ = kept;
+    for (std::size_t w = 0; w < kept.words.size(); ++w) positive_.words[w] &= kept.words[w];
   }
 
   [[nodiscard]] bool empty() const { return std::all_of(members_.words.begin(), members_.words.end(), [](uint64_t w) { return w == 0; }); }
@@ -90,6 +96,22 @@ class Tube {
  private:
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
   [[nodiscard]] uint32_t bits(int row) const { return window_.rows[row]; }
+
+  /// Adds the vertices inside the lattice that ends(v) has of the row through v.
+  template <class Ends>
+  void gather(const Lattice<D>& lattice, Ends ends) {
+    uint32_t inside = 0;
+    for (int x = 0; x < kBrickSide && at_[0] * kBrickSide + x <= lattice.last[0]; ++x) inside |= 1u << x;
+    Coordinates<D> v{};
+    for (std::size_t r = 0; r < kRows; ++r) {
+      bool in = true;
+      for (int a = 1; a < D; ++a) in = in && at_[a] * kBrickSide + v[a] <= lattice.last[a];
+      const uint64_t mask = !in ? 0 : inside & ends(v);
+      members_.words[r / kBrickSide] |= mask << (r % kBrickSide * kBrickSide);
+      positive_.words[r / kBrickSide] |= (mask & bits(Window<D>::row(v)) >> Window<D>::kHalo) << (r % kBrickSide * kBrickSide);
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+  }
 
   [[nodiscard]] uint32_t axisEnds(int row) const {
     const uint32_t mine = bits(row);

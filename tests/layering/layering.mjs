@@ -17,6 +17,7 @@ const PARTS = {
   traversal: ['base_coder.h', 'refinement_coder.h', 'octaves_coder.h', 'halving_coder.h'],
   container: ['stream.h', 'stream.cpp'],
   layers: ['layers.h'],
+  adaptive: ['adaptive.h'],
   polygonizer: [
     ...['surface.h', 'crossings.h', 'cell_table.h', 'cell_table.cpp', 'polygonizer.h', 'polygonizer.cpp'],
     ...['contour.h', 'contour.cpp', 'time_slice.h', 'time_slice.cpp'],
@@ -24,8 +25,9 @@ const PARTS = {
   field: ['field.h', 'field.cpp'],
   distance: ['vertex_cloud.h', 'source_distance.h', 'source_distance.cpp'],
   source: ['polygonize.cpp'],
+  adaptiveEncoder: ['adaptive_plan.h', 'adaptive_plan.cpp', 'adaptive_distance.h', 'encode_adaptive.h', 'encode_adaptive.cpp'],
   encoder: ['encode.cpp'],
-  reconstruction: ['reconstruction.h', 'reconstruction_in.h', 'reconstruction.cpp', 'volumes_only.cpp'],
+  reconstruction: ['reconstruction.h', 'adaptive_reconstruction.h', 'reconstruction_in.h', 'reconstruction.cpp', 'volumes_only.cpp'],
   decoder: ['decode.cpp'],
 };
 
@@ -47,8 +49,10 @@ const ARROWS = {
   field: ['hierarchy', 'container', 'lanes', 'api'],
   distance: ['field', 'hierarchy', 'scalars', 'polygonizer'],
   source: ['field', 'hierarchy', 'scalars', 'polygonizer', 'api'],
-  encoder: ['field', 'distance', 'layers', 'api'],
-  reconstruction: ['container', 'layers', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+  adaptive: ['traversal', 'exchange', 'hierarchy', 'scalars', 'api'],
+  adaptiveEncoder: ['adaptive', 'field', 'distance', 'layers', 'polygonizer', 'hierarchy', 'api'],
+  encoder: ['field', 'distance', 'layers', 'adaptiveEncoder', 'api'],
+  reconstruction: ['container', 'layers', 'adaptive', 'hierarchy', 'scalars', 'polygonizer', 'api'],
   decoder: ['reconstruction', 'api'],
 };
 

@@ -119,6 +119,7 @@ TEST_F(CommandLine, refusesValuesThatMakeNoSense) {
                                              {"--iso", "0", "--max-error", "-1"},
                                              {"--iso", "0", "--max-error", "nan"},
                                              {"--iso", "0", "--max-error", "0.1", "--lossless"},
+                                             {"--iso", "0", "--adaptive", "--lossless"},
                                              {"--iso", "0", "--polygonizer", "spheres"},
                                              {"--iso", "0", "--units", "miles"},
                                              {"--iso", "0", "--size", "1,2"},

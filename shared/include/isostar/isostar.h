@@ -68,6 +68,7 @@ struct EncodeOptions {
   double maxError = 0.05;  // bound on the two-sided distance, in grid steps along the smallest spacing
   bool lossless = false;   // the decoded surface is the one that the polygonizer makes of the source
   Polygonizer polygonizer = Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
+  bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences, nor lossless
   std::function<void(double done)> progress;     // called now and then with 0 … 1
 };
 
@@ -120,6 +121,7 @@ struct StreamInfo {
   std::vector<double> isovalues;
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
+  bool adaptive = false;    // the mesh is coarser where that keeps the bound (§4.3)
   double maxError = 0;      // the bound that was asked for; 0 for lossless
   uint64_t vertices = 0;    // of the complete surface that `cubes` makes
   uint64_t headerBytes = 0; // header and the layer heads so far

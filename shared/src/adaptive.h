@@ -1,0 +1,231 @@
+// An adaptive mesh of the RBMT and the field on it (§4.3, §5.1, §5.2): octave by octave, for both directions.
+#pragma once
+
+#include "base_coder.h"
+#include "completion.h"
+#include "halving_coder.h"
+#include "isostar/isostar.h"
+#include "octave.h"
+#include "octaves_coder.h"
+#include "refinement_coder.h"
+
+namespace isostar {
+
+/// What is known of an octave's vertices once those that are not in the mesh have the values of the simplices they lie in.
+template <int D>
+struct AdaptiveOctave {
+  Signs<D> signs;
+  Scalars<D> scalars;  // told, taken over from the coarser octave, or interpolated
+  std::vector<uint8_t> active;
+};
+
+/// An adaptive mesh is one of whole octaves with absent vertices: a crossing cell that is kept whole has none of the
+/// vertices that would split it, nor have its neighbours those that need them. An absent vertex lies on the refinement
+/// edge that it would split, halfway, and so does its scalar: the field is the piecewise linear one of the leaves, whatever
+/// octave it is looked at, and no polygonizer can find a crack.
+template <int D>
+class AdaptiveMesh {
+ public:
+  explicit AdaptiveMesh(const Lattice<D>& base) : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)) {}
+
+  [[nodiscard]] int level() const { return static_cast<int>(signs_.size()) - 1; }
+  /// Octaves whose scalars have been told.
+  [[nodiscard]] int told() const { return static_cast<int>(octaves_.size()); }
+  [[nodiscard]] const Lattice<D>& lattice() const { return signs_.back().lattice(); }
+  [[nodiscard]] const AdaptiveOctave<D>& octave(int level) const { return octaves_[static_cast<std::size_t>(level)]; }
+  [[nodiscard]] const Signs<D>& absent(int level) const { return absent_[static_cast<std::size_t>(level)]; }
+  [[nodiscard]] std::size_t memory() const {
+    std::size_t sum = 0;
+    for (const auto& s : signs_) sum += s.memory();
+    for (const auto& s : absent_) sum += s.memory();
+    for (const auto& o : octaves_) sum += o.signs.memory() + o.scalars.memory() + o.active.size();
+    return sum;
+  }
+
+  template <class Exchange>
+  void base(Exchange& ask) {
+    BaseCoder<D>().tell(ask, signs_.front());
+  }
+
+  /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the others.
+  template <class Exchange>
+  void refine(Exchange& ask) {
+    Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
+    for (int dimension = D; dimension >= 1; --dimension) refinement_.bisect(ask, fine, dimension, &absent);
+    signs_.push_back(std::move(fine));
+    absent_.push_back(std::move(absent));
+  }
+
+  /// Scalars of an octave: of the vertices of its leaves that coarser ones have not told. On the finest, `cubes` needs no
+  /// ends of diagonals.
+  template <class Exchange>
+  void tellOctaves(Exchange& ask, int depth, Polygonizer polygonizer) {
+    octaves_.push_back(next(octaves_.empty() ? nullptr : &octaves_.back(), told()));
+    auto& octave = octaves_.back();
+    const int level = told() - 1;
+    octavesCoder_.tell(ask, octave.signs, octave.scalars, Members::AxisEnds, depth, octave.active, [&](Tube<D>& tube) {
+      if (level < this->level() || polygonizer == Polygonizer::Tetrahedra) tube.addDiagonalEnds(octave.signs);
+      tube.keepOnly([&](std::size_t r, int x) { return belongsToLeaf(tube.at(), r, x, level) && !knows(octave.scalars, tube.table(), tube.at(), r, x); });
+    });
+  }
+  template <class Exchange>
+  void tellHalvings(Exchange& ask, const typename HalvingCoder<D>::Pass& pass) {
+    auto& octave = octaves_.back();
+    halvingCoder_.tell(ask, octave.signs, octave.scalars, pass, octave.active);
+  }
+
+  /// The octave as it is known, with estimates where nothing has been told yet.
+  [[nodiscard]] AdaptiveOctave<D> shown(int level) const {
+    AdaptiveOctave<D> octave;
+    for (int o = std::max(told() - 1, 0); o <= level; ++o) {
+      octave = o < told() ? octaves_[static_cast<std::size_t>(o)] : next(o == 0 ? nullptr : &octave, o);
+      for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, 0, octave.scalars);
+    }
+    return octave;
+  }
+
+ private:
+  static std::size_t rowOf(const Coordinates<D>& v) {
+    std::size_t r = 0;
+    for (int a = D - 1; a >= 1; --a) r = r * kBrickSide + static_cast<std::size_t>(v[a] & (kBrickSide - 1));
+    return r;
+  }
+  static std::size_t numberOf(const Coordinates<D>& v) { return rowOf(v) * kBrickSide + static_cast<std::size_t>(v[0] & (kBrickSide - 1)); }
+  static std::size_t placeOf(const BrickTable<D>& table, const Coordinates<D>& v) {
+    Coordinates<D> brick;
+    for (int a = 0; a < D; ++a) brick[a] = v[a] / kBrickSide;
+    return table.place(brick);
+  }
+  static Coordinates<D> vertexOf(const Coordinates<D>& brick, std::size_t number) {
+    Coordinates<D> v;
+    for (int a = 0; a < D; ++a, number /= kBrickSide) v[a] = brick[a] * kBrickSide + static_cast<int32_t>(number % kBrickSide);
+    return v;
+  }
+  static bool knows(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& brick, std::size_t r, int x) {
+    return scalars.at(table.place(brick)).knows(r * kBrickSide + static_cast<std::size_t>(x));
+  }
+  static int32_t valueAt(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& v) {
+    return scalars.at(placeOf(table, v)).value[numberOf(v)];
+  }
+  /// The finer octave's plane that coincides.
+  static int32_t child(const Lattice<D>& coarse, const Lattice<D>& fine, int axis, int32_t plane) {
+    return plane == coarse.last[axis] ? fine.last[axis] : 2 * plane;
+  }
+  /// Calls visit(v) for each vertex of a set.
+  template <class Visit>
+  static void forEach(const Signs<D>& set, Visit visit) {
+    for (std::size_t place = 0; place < set.table().total(); ++place) {
+      if (set.index(place) == Signs<D>::kNegative) continue;
+      const auto brick = set.table().brick(place);
+      for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
+        for (uint32_t open = set.brickAt(place).rows[r]; open != 0; open &= open - 1) {
+          visit(vertexOf(brick, r * kBrickSide + static_cast<std::size_t>(std::countr_zero(open))));
+        }
+      }
+    }
+  }
+
+  /// The absent vertices of a coarser octave on the next one's lattice.
+  static Signs<D> inherited(const Signs<D>& coarse) {
+    Signs<D> fine(coarse.lattice().finer());
+    forEach(coarse, [&](const Coordinates<D>& v) {
+      Coordinates<D> same;
+      for (int a = 0; a < D; ++a) same[a] = child(coarse.lattice(), fine.lattice(), a, v[a]);
+      fine.set(same, true);
+    });
+    return fine;
+  }
+
+  /// Has the mesh the vertex, and is it one of a simplex that is not split further?
+  [[nodiscard]] bool belongsToLeaf(const Coordinates<D>& brick, std::size_t r, int x, int level) const {
+    const auto v = vertexOf(brick, r * kBrickSide + static_cast<std::size_t>(x));
+    if (absent(level).at(v)) return false;
+    if (level == this->level()) return true;
+    const auto& finer = absent(level + 1);
+    Coordinates<D> low, high;
+    for (int a = 0; a < D; ++a) {
+      const int32_t middle = child(absent(level).lattice(), finer.lattice(), a, v[a]);
+      low[a] = std::max(middle - 1, 0);
+      high[a] = std::min(middle + 1, finer.lattice().last[a]);
+    }
+    for (auto w = low;;) {
+      if (finer.at(w)) return true;
+      int a = 0;
+      for (; a < D && ++w[a] > high[a]; ++a) w[a] = low[a];
+      if (a == D) return false;
+    }
+  }
+
+  /// An octave before its own scalars are told: from the coarser one, if there is one.
+  [[nodiscard]] AdaptiveOctave<D> next(const AdaptiveOctave<D>* coarser, int level) const {
+    AdaptiveOctave<D> octave{signs_[static_cast<std::size_t>(level)], {}, {}};
+    octave.scalars = Scalars<D>(octave.signs.table().total());
+    if (coarser != nullptr) {
+      takeOver(*coarser, octave);
+      interpolate(absent(level), *coarser, octave);
+    }
+    octave.active = activeBricks(octave.signs);
+    return octave;
+  }
+
+  static void takeOver(const AdaptiveOctave<D>& coarser, AdaptiveOctave<D>& octave) {
+    const auto& from = coarser.signs;
+    for (std::size_t place = 0; place < from.table().total(); ++place) {
+      if (!coarser.scalars.has(place)) continue;
+      const auto& brick = coarser.scalars.at(place);
+      for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
+        if (!brick.knows(i)) continue;
+        auto v = vertexOf(from.table().brick(place), i);
+        for (int a = 0; a < D; ++a) v[a] = child(from.lattice(), octave.signs.lattice(), a, v[a]);
+        octave.scalars.writable(placeOf(octave.signs.table(), v)).value[numberOf(v)] = brick.value[i];
+      }
+    }
+  }
+
+  /// Absent vertices: those of the coarser octave as they are there, the others halfway between the ends of their
+  /// refinement edge.
+  static void interpolate(const Signs<D>& absent, const AdaptiveOctave<D>& coarser, AdaptiveOctave<D>& octave) {
+    const auto& lattice = octave.signs.lattice();
+    forEach(absent, [&](const Coordinates<D>& v) {
+      Coordinates<D> parent;
+      bool fresh = false;
+      for (int a = 0; a < D; ++a) {
+        parent[a] = lattice.parent(a, v[a]);
+        fresh = fresh || lattice.fresh(a, v[a]);
+      }
+      if (!fresh) octave.signs.set(v, coarser.signs.at(parent));
+    });
+    forEach(absent, [&](const Coordinates<D>& v) { halfway(v, octave); });
+  }
+
+  static void halfway(const Coordinates<D>& v, AdaptiveOctave<D>& octave) {
+    const auto& lattice = octave.signs.lattice();
+    const auto& table = octave.signs.table();
+    Coordinates<D> even = v, odd = v;
+    for (int a = 0; a < D; ++a) {
+      if (!lattice.fresh(a, v[a])) continue;
+      const bool lowIsEven = lattice.parent(a, v[a]) % 2 == 0;
+      (lowIsEven ? even : odd)[a] -= 1;
+      (lowIsEven ? odd : even)[a] += 1;
+    }
+    if (even == odd) return;
+    const int32_t from = valueAt(octave.scalars, table, even), to = valueAt(octave.scalars, table, odd);
+    const bool known = from != Scalars<D>::kUnknown && to != Scalars<D>::kUnknown;
+    if (!known) {
+      octave.signs.set(v, octave.signs.at(even));
+      return;
+    }
+    const auto mean = static_cast<int32_t>((int64_t{from} + to) / 2);
+    const int32_t value = mean == 0 ? -1 : mean;
+    octave.signs.set(v, value > 0);
+    octave.scalars.writable(placeOf(table, v)).value[numberOf(v)] = value;
+  }
+
+  std::vector<Signs<D>> signs_, absent_;  // by octave, as they were told
+  std::vector<AdaptiveOctave<D>> octaves_;
+  RefinementCoder<D> refinement_;
+  OctavesCoder<D> octavesCoder_;
+  HalvingCoder<D> halvingCoder_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,97 @@
+// A decoder's knowledge of an adaptive stream: layers in, surfaces out.
+#pragma once
+
+#include <algorithm>
+
+#include "adaptive.h"
+#include "contour.h"
+#include "layers.h"
+#include "polygonizer.h"
+#include "reconstruction.h"
+
+namespace isostar {
+
+template <int D>
+class AdaptiveReconstruction : public Reconstruction {
+ public:
+  AdaptiveReconstruction(const Header& header, const Limits& limits) : header_(header), limits_(limits), mesh_(header.base<D>()) {}
+
+  Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
+    constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
+    if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
+    const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving;
+    if (torn && !geometry) return {};  // an octave shows only as a whole
+    GeometryPass<D> pass;
+    pass.kind = head.kind;
+    if (geometry) {
+      ByteReader fields(bytes);
+      if (!pass.read(fields)) return {Error::Corrupt};
+      if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
+      bytes = bytes.subspan(fields.position());
+    }
+    if (mesh_.memory() + memoryOfNext() > limits_.memory) return {Error::OverLimit};
+    RangeDecoder coder(bytes);
+    BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, limits_.memory - mesh_.memory());
+    tell(ask, head.kind, pass);
+    if (ask.overBudget()) return {Error::OverLimit};
+    if (!torn && ask.spent()) return {Error::Corrupt};
+    return {Error::None, true};
+  }
+
+  [[nodiscard]] int level() const override { return based_ ? mesh_.level() : -1; }
+
+  Error show(const MeshOptions& options, Mesh& out) const override {
+    out = {};
+    if constexpr (D == 3) return make(options, out);
+    else return Error::BadArgument;
+  }
+  Error show(const MeshOptions& options, Contours& out) const override {
+    out = {};
+    if constexpr (D == 2) return make(options, out);
+    else return Error::BadArgument;
+  }
+
+ private:
+  /// The base first, then each octave's mesh, then the scalars of each octave.
+  [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
+    if (!based_) return kind == LayerKind::Base && level == 0;
+    if (mesh_.level() < header_.octaves()) return kind == LayerKind::Refinement && level == mesh_.level() + 1;
+    if (kind == LayerKind::Octaves) return level == mesh_.told() && level <= header_.octaves();
+    return kind == LayerKind::Halving && level == mesh_.told() - 1;
+  }
+
+  template <class Exchange>
+  void tell(Exchange& ask, LayerKind kind, const GeometryPass<D>& pass) {
+    switch (kind) {
+      case LayerKind::Base:
+        mesh_.base(ask);
+        based_ = true;
+        break;
+      case LayerKind::Refinement: mesh_.refine(ask); break;
+      case LayerKind::Octaves: mesh_.tellOctaves(ask, pass.depth, header_.polygonizer); break;
+      case LayerKind::Halving: mesh_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective}); break;
+    }
+  }
+
+  /// What it takes at most to begin the next octave: tables of signs and absent vertices, eight bricks for one of each.
+  [[nodiscard]] std::size_t memoryOfNext() const {
+    const bool last = mesh_.level() == header_.octaves();
+    const std::size_t places = BrickTable<D>(last ? mesh_.lattice() : mesh_.lattice().finer()).total();
+    return places * 16 + (mesh_.memory() << D);
+  }
+
+  template <class Out>
+  Error make(const MeshOptions& options, Out& out) const {
+    if (!based_) return Error::None;
+    const auto octave = mesh_.shown(mesh_.level());
+    const double offset = 2 * header_.positiveOffset - 1;
+    return polygonize(Surface<D>{octave.signs, octave.scalars, offset, offset, header_.placement}, options, limits_.vertices, out);
+  }
+
+  const Header& header_;
+  const Limits limits_;
+  AdaptiveMesh<D> mesh_;
+  bool based_ = false;
+};
+
+}  // namespace isostar
