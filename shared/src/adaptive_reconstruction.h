@@ -62,14 +62,15 @@ class AdaptiveReconstruction : public Reconstruction {
 
   template <class Exchange>
   void tell(Exchange& ask, LayerKind kind, const GeometryPass<D>& pass) {
-    switch (kind) {
-      case LayerKind::Base:
-        mesh_.base(ask);
-        based_ = true;
-        break;
-      case LayerKind::Refinement: mesh_.refine(ask); break;
-      case LayerKind::Octaves: mesh_.tellOctaves(ask, pass.depth, header_.polygonizer); break;
-      case LayerKind::Halving: mesh_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective}); break;
+    if (kind == LayerKind::Base) {
+      mesh_.base(ask);
+      based_ = true;
+    } else if (kind == LayerKind::Refinement) {
+      mesh_.refine(ask);
+    } else if (kind == LayerKind::Octaves) {
+      mesh_.tellOctaves(ask, pass.depth, header_.polygonizer);
+    } else {
+      mesh_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
     }
   }
 
