@@ -10,7 +10,8 @@ namespace {
 const char* kindName(LayerKind kind) {
   switch (kind) {
     case LayerKind::Base: return "base";
-    case LayerKind::Refinement: return "refinement";
+    case LayerKind::Refinement:
+    case LayerKind::NearSigns: return "refinement";
     default: return "geometry";
   }
 }
@@ -23,6 +24,7 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   info.frames = h.size[3];
   info.placement = h.placement;
   info.isovalues = {h.isovalue};
+  info.isovalues.insert(info.isovalues.end(), h.near.begin(), h.near.end());
   info.polygonizer = h.polygonizer;
   info.lossless = h.lossless;
   info.adaptive = h.adaptive;
@@ -34,9 +36,10 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
 }
 
 /// A layer whose own bytes begin at `start`.
-void addLayer(StreamInfo& info, const LayerHead& head, std::size_t headBytes, std::size_t start) {
+void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes, std::size_t start) {
+  const bool near = isNear(head.kind);
   info.headerBytes += headBytes;
-  info.layers.push_back({kindName(head.kind), head.level, start + head.bytes, head.bytes, head.error});
+  info.layers.push_back({kindName(head.kind), near ? header.octaves() : head.level, start + head.bytes, head.bytes, head.error, near ? head.level : 0});
 }
 
 /// The head at the beginning of what is left of a stream, of which `stream` may not have arrived.
@@ -62,7 +65,7 @@ Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
     if (error != Error::None) return error;
     if (info.layers.size() == kMostLayers) return Error::Corrupt;
     at += used;
-    addLayer(info, head, used, at);
+    addLayer(info, header, head, used, at);
     if (head.bytes > stream.size() - at) break;
     at += static_cast<std::size_t>(head.bytes);
   }
@@ -79,6 +82,11 @@ struct Decoder::State {
   bool fail(Error e) {
     if (error == Error::None) error = e;
     return false;
+  }
+  /// Can a surface be made of what has come?
+  [[nodiscard]] Error shows(const MeshOptions& options) const {
+    if (!known) return Error::Truncated;
+    return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None : Error::BadArgument;
   }
   [[nodiscard]] bool complete() const { return header && at == info.bytes; }
 
@@ -140,7 +148,7 @@ bool Decoder::State::advance() {
   if (checksum(head, layer) != head.checksum) return fail(Error::Corrupt);
   if (const auto outcome = known->decode(head, layer, false); outcome.error != Error::None) return fail(outcome.error);
   at += used;
-  addLayer(info, head, used, at);
+  addLayer(info, *header, head, used, at);
   at += static_cast<std::size_t>(head.bytes);
   shown = at;
   rms = head.error;
@@ -166,11 +174,13 @@ bool Decoder::complete() const { return state_->complete(); }
 
 Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   out = {};
-  return state_->known ? state_->known->show(options, out) : Error::Truncated;
+  const Error error = state_->shows(options);
+  return error == Error::None ? state_->known->show(options, out) : error;
 }
 Error Decoder::contours(const MeshOptions& options, Contours& out) const {
   out = {};
-  return state_->known ? state_->known->show(options, out) : Error::Truncated;
+  const Error error = state_->shows(options);
+  return error == Error::None ? state_->known->show(options, out) : error;
 }
 
 }  // namespace isostar

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <optional>
 
+#include "completion.h"
 #include "encode_adaptive.h"
 #include "field.h"
 #include "isostar/isostar.h"
@@ -10,14 +13,47 @@
 namespace isostar {
 namespace {
 
+/// The source's surface at one of the stream's isovalues.
+template <int D>
+class Source {
+ public:
+  Source(std::span<const float> samples, const Coordinates<D>& size, double isovalue)
+      : isovalue_(isovalue), field_(samples, size, isovalue), signs_(field_.signs()), active_(activeBricks(signs_)) {}
+  Source(const Source&) = delete;  // its parts know each other
+
+  [[nodiscard]] double isovalue() const { return isovalue_; }
+  [[nodiscard]] const GridField<D>& field() const { return field_; }
+  [[nodiscard]] const Signs<D>& signs() const { return signs_; }
+  [[nodiscard]] uint64_t crossings() const { return countCrossings(signs_, active_); }
+  [[nodiscard]] Precision precision(Polygonizer polygonizer) const { return field_.precision(polygonizer, signs_, active_); }
+  /// To be called once, when the stream's quantum is fixed.
+  void measureIn(const Header& stream) {
+    header_ = stream.at(isovalue_);
+    quantized_.emplace(field_, header_, signs_);
+    distance_.emplace(field_, header_, signs_, active_);
+  }
+  [[nodiscard]] QuantizedField<D>& quantized() { return *quantized_; }
+  [[nodiscard]] const SourceDistance<D>& distance() const { return *distance_; }
+
+ private:
+  double isovalue_;
+  GridField<D> field_;
+  Signs<D> signs_;
+  std::vector<uint8_t> active_;
+  Header header_;
+  std::optional<QuantizedField<D>> quantized_;
+  std::optional<SourceDistance<D>> distance_;
+};
+
 /// Tells layers one after the other.
 template <int D>
 class LayerWriter {
  public:
-  LayerWriter(const Header& header, const EncodeOptions& options, const QuantizedField<D>& field, const SourceDistance<D>& distance)
-      : options_(options), octaves_(header.octaves()), field_(field), distance_(distance), known_(header) {}
+  LayerWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
+      : options_(options), octaves_(header.octaves()), source_(&first), known_(header) {}
 
-  void signs(const Signs<D>& finest) {
+  void signs() {
+    const Signs<D>& finest = source_->signs();
     std::vector<Signs<D>> coarse(static_cast<std::size_t>(octaves_));
     for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
     for (int level = 0; level <= octaves_; ++level) {
@@ -30,13 +66,31 @@ class LayerWriter {
     }
   }
 
+  /// The signs of a further isovalue; passes are its from now on.
+  void nearSigns(int number, Source<D>& source) {
+    number_ = number;
+    source_ = &source;
+    tell({LayerKind::NearSigns, number, 0, 0, 0}, source.signs(), [&](auto& ask) { known_.nearSigns(ask, number); });
+  }
+
   void geometry(const GeometryPass<D>& pass) {
-    tell({pass.kind, octaves_, 0, 0, 0}, known_.signs, [&](auto& ask) { known_.geometry(ask, pass); }, &pass);
+    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::NearGeometry, number_ == 0 ? octaves_ : number_, 0, 0, 0};
+    tell(
+        head, source_->signs(),
+        [&](auto& ask) {
+          if (number_ == 0) known_.geometry(ask, pass);
+          else known_.nearGeometry(ask, pass);
+        },
+        &pass);
   }
 
   /// The bricks where a vertex of the surface is off by more than the bound, by place; none if there are none.
-  [[nodiscard]] std::vector<uint8_t> beyond(double bound) const { return distance_.beyond(bound, known_.signs, known_.scalars, known_.active); }
-  void select(std::vector<uint8_t> places) { field_.select(std::move(places)); }
+  [[nodiscard]] std::vector<uint8_t> beyond(double bound) const {
+    if (number_ == 0) return source_->distance().beyond(bound, known_.signs, known_.scalars, known_.active);
+    const NearSurface<D>& last = known_.near.surfaces().back();
+    return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
+  }
+  void select(std::vector<uint8_t> places) { source_->quantized().select(std::move(places)); }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
 
@@ -46,13 +100,14 @@ class LayerWriter {
     std::vector<std::byte> layer;
     if (pass != nullptr) {
       ByteWriter fields(layer);
+      if (head.kind == LayerKind::NearGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
       pass->write(fields);
     }
     RangeEncoder coder(layer);
-    TruthExchange<D, RangeEncoder, QuantizedField<D>> ask(coder, truth, field_);
+    TruthExchange<D, RangeEncoder, QuantizedField<D>> ask(coder, truth, source_->quantized());
     what(ask);
     coder.finish();
-    head.error = head.level < octaves_ ? distance_.rms(known_.signs) : distance_.rms(known_.signs, known_.scalars);
+    head.error = rms();
     head.bytes = layer.size();
     head.checksum = checksum(head, layer);
     ByteWriter out(bytes_);
@@ -60,10 +115,21 @@ class LayerWriter {
     bytes_.insert(bytes_.end(), layer.begin(), layer.end());
   }
 
+  [[nodiscard]] double rms() const {
+    const SourceDistance<D>& distance = source_->distance();
+    if (known_.level < octaves_) return distance.rms(known_.signs);
+    if (number_ == 0) return distance.rms(known_.signs, known_.scalars);
+    const NearSurface<D>& last = known_.near.surfaces().back();
+    if (last.told[0]) return distance.rms(last.signs, last.scalars);
+    Scalars<D> estimated = last.scalars;
+    estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated);
+    return distance.rms(last.signs, estimated);
+  }
+
   const EncodeOptions& options_;
   const int octaves_;
-  QuantizedField<D> field_;
-  const SourceDistance<D>& distance_;
+  int number_ = 0;  // of the isovalue in work
+  Source<D>* source_;
   Knowledge<D> known_;
   std::vector<std::byte> bytes_;
 };
@@ -122,6 +188,32 @@ void tellGeometry(LayerWriter<D>& layers, const Header& header) {
   }
 }
 
+/// Further isovalues in the order in which they are told: the one nearest to one told before comes next.
+std::vector<double> byNearness(double first, std::vector<double> others) {
+  std::vector<double> told{first};
+  const auto distance = [&](double value) {
+    double least = std::abs(value - first);
+    for (const double t : told) least = std::min(least, std::abs(value - t));
+    return least;
+  };
+  while (!others.empty()) {
+    const auto next = std::min_element(others.begin(), others.end(), [&](double a, double b) { return distance(a) < distance(b); });
+    told.push_back(*next);
+    others.erase(next);
+  }
+  told.erase(told.begin());
+  return told;
+}
+
+/// All isovalues are finite, and no two are the same.
+bool distinct(const EncodeOptions& options) {
+  std::vector<double> all = options.near;
+  all.push_back(options.isovalue);
+  if (!std::all_of(all.begin(), all.end(), [](double v) { return std::isfinite(v); })) return false;
+  std::sort(all.begin(), all.end());
+  return std::adjacent_find(all.begin(), all.end()) == all.end();
+}
+
 Error put(Header& header, const std::vector<std::byte>& layers, const EncodeOptions& options, std::vector<std::byte>& out) {
   header.bytes = layers.size();
   ByteWriter writer(out);
@@ -137,29 +229,37 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
-  if (options.adaptive && (options.lossless || D == 4)) return Error::BadArgument;
+  if (options.adaptive && (options.lossless || D == 4 || !options.near.empty())) return Error::BadArgument;
   if (!bounded || !invertible(header.placement) || !sensible<D>(samples, size, options.isovalue)) return Error::BadArgument;
+  if (options.near.size() > Header::kMostNear || !distinct(options)) return Error::BadArgument;
   header.isovalue = options.isovalue;
+  header.near = byNearness(options.isovalue, options.near);
   header.polygonizer = options.polygonizer;
   header.lossless = options.lossless;
   header.maxError = options.lossless ? 0 : std::clamp(options.maxError, 1e-9, 1e9);
-  const GridField<D> field(samples, size, options.isovalue);
-  const auto finest = field.signs();
-  const auto active = activeBricks(finest);
-  field.quantize(header, finest, active);
-  header.vertices = countCrossings(finest, active);
+  std::deque<Source<D>> sources;
+  sources.emplace_back(samples, size, options.isovalue);
+  for (const double isovalue : header.near) sources.emplace_back(samples, size, isovalue);
+  Precision precision;
+  for (const Source<D>& source : sources) precision.add(source.precision(header.polygonizer), source.isovalue() - header.isovalue);
+  precision.fix(header);
+  header.vertices = sources.front().crossings();
+  for (Source<D>& source : sources) source.measureIn(header);
   Header adaptiveHeader = header;
   std::vector<std::byte> adaptive;
   if constexpr (D < 4) {
     if (options.adaptive && header.vertices != 0) {
       adaptiveHeader.adaptive = true;
-      if (!encodeAdaptive(field, options, finest, adaptiveHeader, adaptive)) adaptive.clear();
+      if (!encodeAdaptive(sources.front().field(), options, sources.front().signs(), adaptiveHeader, adaptive)) adaptive.clear();
     }
   }
-  const SourceDistance<D> distance(field, header, finest, active);
-  LayerWriter<D> layers(header, options, QuantizedField<D>(field, header, finest), distance);
-  layers.signs(finest);
+  LayerWriter<D> layers(header, options, sources.front());
+  layers.signs();
   if (header.vertices != 0) tellGeometry(layers, header);
+  for (std::size_t i = 1; i < sources.size(); ++i) {
+    layers.nearSigns(static_cast<int>(i), sources[i]);
+    if (sources[i].crossings() != 0) tellGeometry(layers, header);
+  }
   // Where coarse simplices do not pay, there are none.
   if (!adaptive.empty() && adaptive.size() < layers.bytes().size()) return put(adaptiveHeader, adaptive, options, out);
   return put(header, layers.bytes(), options, out);

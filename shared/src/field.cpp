@@ -90,14 +90,14 @@ Signs<D> GridField<D>::signs() const {
 }
 
 template <int D>
-void GridField<D>::quantize(Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
+Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
   double largest = 0;
   WholeSamples ones(1, isovalue_), bytes(255, isovalue_);
   Tube<D> tube;
   for (std::size_t place = 0; place < active.size(); ++place) {
     if (active[place] == 0) continue;
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      if (members == Members::DiagonalEnds && header.polygonizer == Polygonizer::Cubes) break;
+      if (members == Members::DiagonalEnds && polygonizer == Polygonizer::Cubes) break;
       tube.enter(signs, place, members);
       tube.forEach([&](int, std::size_t r, int x) {
         const double sample = samples_[at(vertex(tube.at(), r)) + static_cast<std::size_t>(x)];
@@ -107,8 +107,12 @@ void GridField<D>::quantize(Header& header, const Signs<D>& signs, const std::ve
       });
     }
   }
-  if (ones.all() && largest < double(1 << 28)) return header.countWhole(1);
-  if (bytes.all() && largest <= 1) return header.countWhole(Header::kByteStep);
+  return {largest, ones.all(), bytes.all()};
+}
+
+void Precision::fix(Header& header) const {
+  if (ones && largest < double(1 << 28)) return header.countWhole(1);
+  if (bytes && largest <= 1) return header.countWhole(Header::kByteStep);
   header.quantum = std::ldexp(1.0, largest > 0 ? std::ilogb(largest) - 27 : 0);
 }
 

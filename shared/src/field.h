@@ -14,6 +14,20 @@ namespace isostar {
 template <int D>
 [[nodiscard]] bool sensible(std::span<const float> samples, const Coordinates<D>& size, double isovalue);
 
+/// What samples ask of a quantum.
+struct Precision {
+  double largest = 0;             // |scalar|; 0 where there is none
+  bool ones = true, bytes = true;  // are samples whole numbers, also of 1/255, each on the right side of the isovalue?
+
+  /// Adds what another isovalue asks.
+  void add(const Precision& other, double apart) {
+    largest = std::max(largest, other.largest > 0 ? other.largest + std::abs(apart) : 0);
+    ones = ones && other.ones;
+    bytes = bytes && other.bytes;
+  }
+  void fix(Header& header) const;
+};
+
 /// Samples on a regular grid, x fastest, borrowed.
 template <int D>
 class GridField {
@@ -39,9 +53,12 @@ class GridField {
   /// Signs on the finest octave, of all samples; coarsened() tells the others.
   [[nodiscard]] Signs<D> signs() const;
 
-  /// Fixes what a quantum is, for |scalars| up to the largest at the end of a crossing edge of the RBMT; `active` as of
-  /// activeBricks(signs).
-  void quantize(Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active) const;
+  /// What the ends of crossing edges of the RBMT ask of a quantum; `active` as of activeBricks(signs).
+  [[nodiscard]] Precision precision(Polygonizer polygonizer, const Signs<D>& signs, const std::vector<uint8_t>& active) const;
+  /// Fixes what a quantum is for one isovalue alone.
+  void quantize(Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
+    precision(header.polygonizer, signs, active).fix(header);
+  }
 
   /// In quanta of a header.
   [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base_coder.h"
+#include "close_by.h"
 #include "halving_coder.h"
 #include "octave.h"
 #include "octaves_coder.h"
@@ -68,7 +69,8 @@ struct GeometryPass {
 /// All that both sides know, and the models that carry over from layer to layer.
 template <int D>
 struct Knowledge {
-  explicit Knowledge(const Header& header) : signs(header.base<D>()), level(0) {}
+  /// The header outlives it.
+  explicit Knowledge(const Header& h) : header(h), signs(h.base<D>()), level(0) {}
 
   template <class Exchange>
   void base(Exchange& ask) {
@@ -96,6 +98,23 @@ struct Knowledge {
     }
   }
 
+  /// The signs of a further isovalue, by number from 1.
+  template <class Exchange>
+  void nearSigns(Exchange& ask, int number) {
+    const double isovalue = header.near[static_cast<std::size_t>(number) - 1];
+    near.signs(ask, first(), isovalue, header.shift(isovalue), header.shiftError());
+  }
+
+  /// Of the isovalue whose signs have been told last.
+  template <class Exchange>
+  void nearGeometry(Exchange& ask, const GeometryPass<D>& pass) {
+    if (pass.kind == LayerKind::Octaves) near.octaves(ask, pass.members, pass.depth);
+    else near.halvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
+  }
+
+  [[nodiscard]] typename CloseBy<D>::First first() const { return {header.isovalue, signs, scalars}; }
+
+  const Header& header;
   Signs<D> signs;
   int level;
   RefinementCoder<D> refinement;
@@ -104,6 +123,7 @@ struct Knowledge {
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
   OctavesCoder<D> octaves;
   HalvingCoder<D> halvings;
+  CloseBy<D> near;
 };
 
 }  // namespace isostar

@@ -81,6 +81,7 @@ class OctavesCoder {
     for (const bool positive : {true, false}) tube_.forEach(positive, [&](int row, std::size_t r, int x) {
       if (ask.spent()) return;
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+      if (brick.knows(v)) return;  // by another isovalue
       const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, steps);
       const int octave = tellOctave(ask, guess, ask.magnitude(place, r, x));
       const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor_ + octave - 1);

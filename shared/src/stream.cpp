@@ -22,7 +22,8 @@ enum Flag : uint32_t {
   kWhole = 32,
   kByteSteps = 64,
   kAdaptive = 128,
-  kKnownFlags = 255
+  kNear = 256,
+  kKnownFlags = 511
 };
 
 /// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
@@ -80,6 +81,28 @@ void Header::countWhole(double step) {
   negativeOffset = fraction;
 }
 
+Header Header::at(double other) const {
+  Header seen = *this;
+  seen.isovalue = other;
+  if (whole) seen.countWhole(quantum);
+  return seen;
+}
+
+bool Header::spans(double other) const {
+  double least = isovalue, most = isovalue;
+  for (const double each : near) {
+    least = std::min(least, each);
+    most = std::max(most, each);
+  }
+  return other >= least && other <= most;
+}
+
+int32_t Header::shift(double other) const {
+  const auto steps = [&](double value) { return std::floor(quantum == 1 ? value : value * 255); };
+  const double quanta = whole ? steps(other) - steps(isovalue) : std::round((other - isovalue) / quantum);
+  return static_cast<int32_t>(std::clamp<double>(quanta, -kFarQuanta, kFarQuanta));
+}
+
 Header headerOf(const Image& image) {
   const auto& [x, y] = image.spacing;
   Header h;
@@ -120,13 +143,15 @@ void write(ByteWriter& out, const Header& h) {
   const bool turned = h.dimension > 2 && direction != plain.direction;
   const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
                          (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
-                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u);
+                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear);
   std::vector<std::byte> body;
   ByteWriter w(body);
   w.u8(kBinary | static_cast<uint32_t>(kFormatVersion) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
   w.varint(flags);
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) w.varint(static_cast<uint64_t>(h.size[a]));
   w.real(h.isovalue);
+  if (!h.near.empty()) w.varint(h.near.size());
+  for (const double other : h.near) w.real(other);
   if (!h.whole) w.zigzag(std::ilogb(h.quantum));
   if (!h.lossless) w.real(h.maxError);
   w.varint(h.vertices);
@@ -175,6 +200,12 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   }
   std::fill(h.size.begin() + h.dimension, h.size.end(), 1);
   h.isovalue = r.real();
+  const uint64_t others = (flags & kNear) != 0 ? r.varint() : 0;
+  if (others > Header::kMostNear) return Error::Corrupt;
+  for (uint64_t i = 0; i < others; ++i) {
+    h.near.push_back(r.real());
+    sane = sane && std::isfinite(h.near.back());
+  }
   int64_t exponent = 0;
   if ((flags & kWhole) != 0) h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
   else exponent = r.zigzag();
@@ -196,6 +227,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (expected != checksum(body.first(length))) return Error::Corrupt;
   if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
   if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
+  if (h.adaptive && !h.near.empty()) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;
@@ -208,9 +240,12 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   const uint32_t sum = bytes < kShort ? r.u16() : r.u32();
   if (r.malformed()) return Error::Corrupt;
   if (r.overrun()) return Error::Truncated;
-  const uint32_t kind = first >> 5, level = first & 31;
-  if (kind > static_cast<uint32_t>(LayerKind::Halving) || level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
-  out = {static_cast<LayerKind>(kind), static_cast<int>(level), unpack(error), bytes, sum};
+  const auto kind = static_cast<LayerKind>(first >> 5);
+  const uint32_t level = first & 31;
+  if (kind > LayerKind::Halving && !isNear(kind)) return Error::Corrupt;
+  const bool numbered = level >= 1 && level <= header.near.size();
+  if (isNear(kind) ? !numbered : level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
+  out = {kind, static_cast<int>(level), unpack(error), bytes, sum};
   used = r.position();
   return Error::None;
 }

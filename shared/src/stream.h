@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "bytes.h"
 #include "isostar/isostar.h"
@@ -17,6 +18,7 @@ struct Header {
   Coordinates<4> size{};       // of the first `dimension` axes
   Placement placement;         // of the first three axes; an image's third spacing is its smallest
   double isovalue = 0;
+  std::vector<double> near;  // further isovalues (§5.4), in the order in which they are told
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
   bool adaptive = false;   // layers are those of an AdaptiveMesh
@@ -31,11 +33,21 @@ struct Header {
 
   static constexpr int32_t kMostBaseCells = 4;  // of the base octave on an axis
   static constexpr double kByteStep = 1.0 / 255;
+  static constexpr std::size_t kMostNear = 15;
+  static constexpr int32_t kFarQuanta = (1 << 29) - 1;
 
   /// Refinements from the base to the source's own grid: as few as the base allows.
   [[nodiscard]] int octaves() const;
   /// Offsets of samples that are whole numbers of quanta: the first one above the isovalue is positive.
   void countWhole(double step);
+  /// The same stream as seen from another of its isovalues.
+  [[nodiscard]] Header at(double other) const;
+  /// Is an isovalue one of the stream's, or between two of them?
+  [[nodiscard]] bool spans(double other) const;
+  /// How many quanta another isovalue lies above the first one; bounded by kFarQuanta.
+  [[nodiscard]] int32_t shift(double other) const;
+  /// By so many quanta a shift may be off: 1/255 is no sum of powers of two.
+  [[nodiscard]] int32_t shiftError() const { return whole && quantum == 1 ? 0 : 1; }
 
   template <int D>
   [[nodiscard]] Lattice<D> base() const {
@@ -50,15 +62,18 @@ struct Header {
 [[nodiscard]] Header headerOf(const Volume& volume);
 [[nodiscard]] Header headerOf(const Sequence& sequence);
 
-enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3 };
+/// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead of the octave.
+enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3, NearSigns = 6, NearGeometry = 7 };
 
 struct LayerHead {
   LayerKind kind = LayerKind::Base;
-  int level = 0;
+  int level = 0;     // octave, or number of an isovalue
   double error = 0;  // RMS distance to the source's surface, grid steps, to within 5 %
   uint64_t bytes = 0;
   uint32_t checksum = 0;
 };
+
+[[nodiscard]] inline bool isNear(LayerKind kind) { return kind == LayerKind::NearSigns || kind == LayerKind::NearGeometry; }
 
 inline constexpr uint64_t kMostLayers = 255;
 

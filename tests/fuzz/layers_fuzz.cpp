@@ -10,6 +10,7 @@ Header headerFrom(FuzzInput& input) {
   Header header;
   header.dimension = input.between(2, 4);
   for (int32_t& n : header.size) n = input.between(1, header.dimension == 4 ? 20 : 40);
+  for (int i = input.between(0, 3); i > 0; --i) header.near.push_back(input.between(-9, 9));
   if ((input.byte() & 1) != 0) header.countWhole(1);
   else header.quantum = 0x1p-10;
   return header;
@@ -17,8 +18,8 @@ Header headerFrom(FuzzInput& input) {
 
 void writeLayer(FuzzInput& input, const Header& header, std::vector<std::byte>& stream) {
   LayerHead head;
-  head.kind = static_cast<LayerKind>(input.between(0, 3));
-  head.level = input.between(0, header.octaves());
+  head.kind = static_cast<LayerKind>(input.between(0, 7));
+  head.level = input.between(0, std::max(header.octaves(), 3));
   const auto payload = input.bytes(static_cast<std::size_t>(input.byte()));
   head.bytes = payload.size();
   head.checksum = checksum(head, payload);

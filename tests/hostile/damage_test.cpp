@@ -54,6 +54,15 @@ TEST(Damage, behindRightChecksumsItIsHarmless) {
   expectHarmlessFlips(smallFields()[1], options);
 }
 
+TEST(Damage, furtherIsovaluesAreHarmlessToo) {
+  EncodeOptions options;
+  options.maxError = 0.1;
+  options.near = {0.3, -0.2};
+  expectHarmlessFlips(smallFields()[0], options);
+  options.near = {3};
+  expectHarmlessFlips(smallFields()[1], options);
+}
+
 TEST(Damage, aLayerThatIsBadLeavesTheOnesBefore) {
   const auto field = smallFields()[0];
   const Bytes good = encoded(field);

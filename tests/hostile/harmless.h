@@ -9,6 +9,13 @@ namespace isostar {
 /// Small, so that a test sees at once where they are passed.
 inline constexpr Limits kTight{1u << 22, 1u << 18, 64u << 20};
 
+/// The stream's own, and one between the first and the last.
+inline std::vector<double> isovaluesToShow(const StreamInfo& info) {
+  std::vector<double> isovalues = info.isovalues;
+  if (isovalues.size() > 1) isovalues.push_back(0.7 * isovalues.front() + 0.3 * isovalues.back());
+  return isovalues;
+}
+
 /// Decodes all and makes a mesh after each layer; returns the decoder.
 inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits& limits = kTight) {
   const Bytes copy(bytes.begin(), bytes.end());
@@ -17,11 +24,15 @@ inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits&
   decoder.finish();
   while (decoder.advance()) {
     for (const Polygonizer polygonizer : kPolygonizers) {
-      Mesh mesh;
-      const Error error = decoder.mesh({polygonizer, Frame::World, true}, mesh);
-      EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
-      if (error == Error::None) expectSound(mesh);
-      EXPECT_LE(verticesOf(mesh), limits.vertices);
+      for (const double isovalue : isovaluesToShow(decoder.info())) {
+        MeshOptions options{polygonizer, Frame::World, true};
+        options.isovalue = isovalue;
+        Mesh mesh;
+        const Error error = decoder.mesh(options, mesh);
+        EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+        if (error == Error::None) expectSound(mesh);
+        EXPECT_LE(verticesOf(mesh), limits.vertices);
+      }
     }
   }
   EXPECT_TRUE(decoder.complete() || decoder.error() != Error::None);

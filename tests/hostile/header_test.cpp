@@ -109,6 +109,46 @@ TEST(HostileHeader, numbersThatAreNone) {
   EXPECT_EQ(errorOf(flat), Error::Corrupt);
 }
 
+TEST(HostileHeader, furtherIsovaluesThatCannotBe) {
+  Header header = plausible();
+  header.near = {1, 2};
+  EXPECT_EQ(errorOf(header), Error::None);
+  header.near = {1, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(errorOf(header), Error::Corrupt);
+  header.near = std::vector<double>(15, 1.0);
+  EXPECT_EQ(errorOf(header), Error::None);
+  header.near.push_back(1);
+  EXPECT_EQ(errorOf(header), Error::Corrupt);
+  header.near = {1};
+  header.adaptive = true;
+  EXPECT_EQ(errorOf(header), Error::Corrupt);
+}
+
+TEST(HostileHeader, layersOfIsovaluesInADisorder) {
+  const auto field = sampled("sphere", {9, 9, 9}, sphere({9, 9, 9}));
+  EncodeOptions options;
+  options.near = {0.3, 0.5};
+  const Bytes good = encoded(field, options);
+  const Anatomy anatomy(good);
+  std::vector<std::pair<LayerHead, Bytes>> layers;
+  for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
+    const auto& at = anatomy.layers[i];
+    layers.emplace_back(anatomy.heads[i], Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload), good.begin() + static_cast<std::ptrdiff_t>(at.end)));
+  }
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    for (int number = 0; number < 4; ++number) {
+      auto other = layers;
+      other[i].first.level = number;
+      (void)errorOf(assembled(anatomy.header, other));
+      other[i].first.kind = number % 2 == 0 ? LayerKind::NearSigns : LayerKind::NearGeometry;
+      (void)errorOf(assembled(anatomy.header, other));
+    }
+    auto early = layers;
+    std::swap(early[0], early[i]);
+    EXPECT_EQ(errorOf(assembled(anatomy.header, early)), i > 0 ? Error::Corrupt : Error::None) << i;
+  }
+}
+
 TEST(HostileHeader, layersInADisorder) {
   const auto field = sampled("sphere", {20, 20, 20}, sphere({20, 20, 20}));
   const Bytes good = encoded(field);

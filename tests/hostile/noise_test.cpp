@@ -50,7 +50,25 @@ Bytes streamOf(const Header& header, Payload payload) {
       layers.push_back({{kind, header.octaves(), 0.1, 0, 0}, bytes});
     }
   }
+  for (int number = 1; number <= static_cast<int>(header.near.size()); ++number) {
+    layers.push_back({{LayerKind::NearSigns, number, 0.1, 0, 0}, payload([&](auto& ask) { known.nearSigns(ask, number); })});
+    for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) {
+      const GeometryPass<3> pass{kind, Members::AxisEnds, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
+      Bytes bytes = fieldsOf(pass);
+      bytes.insert(bytes.begin(), static_cast<std::byte>(kind));
+      const Bytes told = payload([&](auto& ask) { known.nearGeometry(ask, pass); });
+      bytes.insert(bytes.end(), told.begin(), told.end());
+      layers.push_back({{LayerKind::NearGeometry, number, 0.1, 0, 0}, bytes});
+    }
+  }
   return assembled(header, layers);
+}
+
+Header severalOf(const Size& size, bool whole = true) {
+  Header header = headerOf(size);
+  header.whole = whole;
+  header.near = {3, -100, 1e9, -1e300, 0};
+  return header;
 }
 
 Bytes noiseStream(const Header& header, std::size_t length, uint64_t seed) {
@@ -85,6 +103,25 @@ TEST(HostileNoise, diceStreamsAreClosedSurfaces) {
       for (const Polygonizer polygonizer : kPolygonizers)
         expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
     }
+  }
+}
+
+TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
+  for (const Size& size : {Size{9, 9, 9}, Size{17, 12, 30}}) {
+    for (uint64_t seed = 0; seed < 8; ++seed) {
+      SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
+      const Header header = severalOf(size, seed % 2 == 0);
+      const Decoder decoder = harmlesslyDecoded(diceStream(header, seed, std::array{0.5, 1.0, 0.03, 0.97}[seed / 2]));
+      EXPECT_EQ(decoder.error(), Error::None);
+      for (const double isovalue : isovaluesToShow(decoder.info())) {
+        MeshOptions options{Polygonizer::Cubes, Frame::Grid, true};
+        options.isovalue = isovalue;
+        expectClosed(meshOf(decoder, options), size);
+      }
+    }
+  }
+  for (const Size& size : kHostileSizes) {
+    for (std::size_t length : {0u, 20u, 1000u}) (void)harmlesslyDecoded(noiseStream(severalOf(size), length, length));
   }
 }
 
@@ -142,6 +179,18 @@ TEST(HostileNoise, staysWithinTheMemoryAllowed) {
             << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate;
         EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
       }
+    }
+  }
+}
+
+TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
+  for (const Size& size : {Size{100, 100, 100}, Size{2, 2, 1 << 15}}) {
+    const Bytes bytes = diceStream(severalOf(size), 5, 1.0);
+    for (const std::size_t megabytes : {1u, 4u, 16u}) {
+      Error error;
+      const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
+      EXPECT_LE(peak, kGrowth * (megabytes << 20) + kModels + 2 * bytes.size()) << testing::PrintToString(size) << ", " << megabytes << " MB";
+      EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
     }
   }
 }

@@ -10,11 +10,14 @@ const PARTS = {
   bytes: ['bytes.h'],
   lanes: ['lanes.h'],
   coder: ['range_coder.h', 'models.h'],
-  hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'neighbourhood.h', 'shape_estimate.h', 'tube.h'],
+  hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'neighbourhood.h', 'shape_estimate.h', 'tube.h', 'vertex_front.h'],
   rbmt: ['diamond.h', 'tagged_simplex.h', 'rbmt.h', 'leaves.h', 'decomposition.h', 'linear_function.h', 'criteria.h', 'topology.h'],
-  scalars: ['reciprocal.h', 'scalars.h', 'scalar_window.h', 'interpolation.h', 'prediction.h', 'completion.h'],
+  scalars: ['reciprocal.h', 'scalars.h', 'scalar_window.h', 'intervals.h', 'far_ends.h', 'interpolation.h', 'prediction.h', 'completion.h'],
   exchange: ['exchange.h'],
-  traversal: ['base_coder.h', 'refinement_coder.h', 'octaves_coder.h', 'halving_coder.h'],
+  traversal: [
+    ...['base_coder.h', 'refinement_coder.h', 'octaves_coder.h', 'halving_coder.h'],
+    ...['near_signs_coder.h', 'near_halving_coder.h', 'close_by.h', 'between.h'],
+  ],
   container: ['stream.h', 'stream.cpp'],
   layers: ['layers.h'],
   adaptive: ['adaptive.h'],
@@ -51,8 +54,8 @@ const ARROWS = {
   source: ['field', 'hierarchy', 'scalars', 'polygonizer', 'api'],
   adaptive: ['traversal', 'exchange', 'hierarchy', 'scalars', 'api'],
   adaptiveEncoder: ['adaptive', 'field', 'distance', 'layers', 'polygonizer', 'hierarchy', 'api'],
-  encoder: ['field', 'distance', 'layers', 'adaptiveEncoder', 'api'],
-  reconstruction: ['container', 'layers', 'adaptive', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+  encoder: ['field', 'distance', 'layers', 'adaptiveEncoder', 'scalars', 'api'],
+  reconstruction: ['container', 'layers', 'adaptive', 'traversal', 'hierarchy', 'scalars', 'polygonizer', 'api'],
   decoder: ['reconstruction', 'api'],
 };
 

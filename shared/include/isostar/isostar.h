@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -65,10 +66,11 @@ struct Sequence {
 
 struct EncodeOptions {
   double isovalue = 0;
+  std::vector<double> near;  // further isovalues on top of it (§5.4), at most 15, all different; not with `adaptive`
   double maxError = 0.05;  // bound on the two-sided distance, in grid steps along the smallest spacing
   bool lossless = false;   // the decoded surface is the one that the polygonizer makes of the source
   Polygonizer polygonizer = Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
-  bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences, nor lossless
+  bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences, lossless or near
   std::function<void(double done)> progress;     // called now and then with 0 … 1
 };
 
@@ -85,6 +87,9 @@ struct MeshOptions {
   /// When to cut a sequence, in frames from 0. On a frame it is that frame's own surface; between two, that of the
   /// scalars in between. A volume's surface is the same at all times.
   double time = 0;
+  /// Of a stream's surface: one of StreamInfo::isovalues or a value between two of them, which is then drawn from what is
+  /// known; by default the first. Before an isovalue's own layers have come it is drawn from those told.
+  std::optional<double> isovalue = std::nullopt;
 };
 
 /// Isocontours: polylines with larger values on their left, where y points up.
@@ -109,6 +114,7 @@ struct LayerInfo {
   uint64_t offset = 0;  // the layer is complete after this many bytes of the file
   uint64_t bytes = 0;   // of the layer alone
   double error = 0;     // RMS distance to the source's surface after it, in grid steps, as the encoder determined it
+  int isovalue = 0;     // whose layer it is: an index into StreamInfo::isovalues; 0 is the first
 };
 
 /// What the header and the layers' own heads tell, without decoding.
@@ -118,7 +124,7 @@ struct StreamInfo {
   std::array<int32_t, 3> size{}; // an image's third is 1
   int32_t frames = 1;            // of a sequence
   Placement placement;
-  std::vector<double> isovalues;
+  std::vector<double> isovalues;  // the first one, then further ones in the order in which they are told
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
   bool adaptive = false;    // the mesh is coarser where that keeps the bound (§4.3)
@@ -164,9 +170,10 @@ class Decoder {
   [[nodiscard]] double rmsError() const;   // of the last complete layer, grid steps
   [[nodiscard]] bool complete() const;     // all layers are decoded
 
-  /// Of a volume or of a sequence. BadArgument: the stream is an image's, or has no such time.
+  /// Of a volume or of a sequence. BadArgument: the stream is an image's, or has no such time or isovalue.
   [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out) const;
-  /// Of an image: marching squares (`cubes`), or one segment per crossing triangle (`tetrahedra`). BadArgument: the stream is none.
+  /// Of an image: marching squares (`cubes`), or one segment per crossing triangle (`tetrahedra`). BadArgument: the stream is none,
+  /// or has no such isovalue.
   [[nodiscard]] Error contours(const MeshOptions&, Contours& out) const;
 
  private:
