@@ -83,6 +83,7 @@ class AdaptiveReconstruction : public Reconstruction {
 
   template <class Out>
   Error make(const MeshOptions& options, Out& out) const {
+    if (options.isovalue && *options.isovalue != header_.isovalue) return Error::BadArgument;
     if (!based_) return Error::None;
     const auto octave = mesh_.shown(mesh_.level());
     const double offset = 2 * header_.positiveOffset - 1;
