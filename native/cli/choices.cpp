@@ -103,6 +103,18 @@ CLI::Option* addFrame(CLI::App& app, Frame& value, const std::string& help) {
   return addChoice(app, "--frame", kNames, value, help);
 }
 
+/// "510.5,520.5".
+CLI::Option* addNear(CLI::App& app, std::vector<double>& values, const std::string& help) {
+  constexpr std::size_t kMost = 15;
+  return app.add_option("--near", values, help)
+      ->delimiter(',')
+      ->check(kFinite)
+      ->expected(1, kMost)
+      ->allow_extra_args(false)
+      ->default_str("")
+      ->type_name("V2,V3,...");
+}
+
 CLI::Option* addUnits(CLI::App& app, Units& value, const std::string& help) {
   return addChoice(app, "--units", kUnits, value, help);
 }

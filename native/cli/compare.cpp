@@ -31,7 +31,6 @@ using measure::Topology;
 struct Arguments {
   std::array<std::string, 2> paths;
   MeshOptions options{.normals = false};
-  std::optional<double> isovalue;  // of tetrahedra
   std::optional<std::string> scalar;
   std::optional<Units> units;
   bool json = false;
@@ -44,10 +43,11 @@ struct Surface {
 };
 
 Surface loadTetrahedra(const std::string& path, const Arguments& arguments) {
-  if (!arguments.isovalue) throw UsageFault(path + " needs --iso");
+  const auto& isovalue = arguments.options.isovalue;
+  if (!isovalue) throw UsageFault(path + " needs --iso");
   auto field = std::make_unique<TetrahedralField>(readTetrahedra(path, arguments.scalar));
   for (const std::string& remark : field->mesh().remarks) warn(path + ": " + remark);
-  return {isosurfaceOf(field->mesh(), *arguments.isovalue), {}, std::move(field)};
+  return {isosurfaceOf(field->mesh(), *isovalue), {}, std::move(field)};
 }
 
 Surface load(const std::string& path, const Arguments& arguments) {
@@ -55,6 +55,7 @@ Surface load(const std::string& path, const Arguments& arguments) {
   if (isTetrahedral(path)) return loadTetrahedra(path, arguments);
   if (isMeshFile(path)) return {readMesh(path), {}, {}};
   const Decoder decoder = decodeStream(readFile(path), path);
+  requireIsovalue(options.isovalue, decoder.info(), path);
   const double step = options.frame == Frame::World ? smallestSpacing(decoder.info().placement) : 1;
   return {surfaceOf(decoder, options, path), step, {}};
 }
@@ -161,7 +162,7 @@ void addCompare(CLI::App& app) {
                   "and only what lies within their domain of the other")
       ->required();
   command.add_option("b", arguments->paths[1], "Another")->required();
-  command.add_option("--iso", arguments->isovalue, "The isovalue of tetrahedra")->check(kFinite);
+  command.add_option("--iso", arguments->options.isovalue, "The isovalue of tetrahedra, and of streams that hold several")->check(kFinite);
   command.add_option("--scalar", arguments->scalar, "Which scalar of tetrahedra; else the marked or first")
       ->option_text("NAME");
   addPolygonizer(command, arguments->options.polygonizer, "How streams become meshes");

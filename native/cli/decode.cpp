@@ -23,7 +23,7 @@ struct Arguments {
   std::string input, output;
   std::optional<uint64_t> bytes;
   std::optional<int> level;
-  std::optional<double> isovalue, time;
+  std::optional<double> time;
   MeshOptions options;
   bool json = false;
 };
@@ -38,24 +38,27 @@ size_t endOfLevel(const StreamInfo& info, int level, size_t whole) {
   return whole;
 }
 
+/// Where the last layer ends that the isovalue asked for needs: further ones, told later, are of no use to it.
+size_t endOfIsovalue(const StreamInfo& info, double isovalue, size_t whole) {
+  const auto& held = info.isovalues;
+  const auto wanted = std::find(held.begin(), held.end(), isovalue) - held.begin();
+  for (size_t i = 1; i < info.layers.size(); ++i) {
+    if (info.layers[i].isovalue > wanted) return std::min<size_t>(info.layers[i - 1].offset, whole);
+  }
+  return whole;
+}
+
 size_t prefixLength(const Arguments& arguments, std::span<const std::byte> stream) {
   if (arguments.bytes) return std::min<uint64_t>(*arguments.bytes, stream.size());
   if (arguments.level) return endOfLevel(inspectStream(stream, arguments.input), *arguments.level, stream.size());
-  return stream.size();
-}
-
-void requireIsovalue(const Arguments& arguments, const StreamInfo& info) {
-  const auto& held = info.isovalues;
-  if (!arguments.isovalue || std::find(held.begin(), held.end(), *arguments.isovalue) != held.end()) return;
-  std::string list;
-  for (double isovalue : held) list += text("%s%.17g", list.empty() ? "" : ", ", isovalue);
-  throw Failure(arguments.input, text("does not hold isovalue %.17g; it holds %s", *arguments.isovalue, list.c_str()));
+  const StreamInfo info = inspectStream(stream, arguments.input);
+  return endOfIsovalue(info, arguments.options.isovalue.value_or(info.isovalues[0]), stream.size());
 }
 
 /// A file may be cut short; a prefix that was asked for is not worth a word.
 void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, size_t held) {
   const bool asked = arguments.bytes || arguments.level;
-  if (!asked && !decoder.complete())
+  if (!asked && held < decoder.info().bytes)
     warn(text("%s ends early, after %zu bytes; the surface is level %d of %d", arguments.input.c_str(), held,
               decoder.level(), decoder.levels() - 1));
 }
@@ -129,7 +132,7 @@ void run(const Arguments& arguments) {
   const size_t length = prefixLength(arguments, stream);
   const Decoder decoder = decodeStream(std::span(stream).first(length), arguments.input);
   report.codec = decoding.milliseconds();
-  requireIsovalue(arguments, decoder.info());
+  requireIsovalue(arguments.options.isovalue, decoder.info(), arguments.input);
   requireFitting(arguments, decoder.info());
   warnOfMissingBytes(arguments, decoder, stream.size());
 
@@ -157,7 +160,11 @@ void addDecode(CLI::App& app) {
       ->type_name("L")
       ->check(CLI::NonNegativeNumber.description(""))
       ->excludes(bytes);
-  command.add_option("--iso", arguments->isovalue, "Which of the stream's isovalues")->check(kFinite)->type_name("V");
+  command
+      .add_option("--iso", arguments->options.isovalue,
+                  "One of the stream's isovalues, or one between two of them, drawn from what is known; else the first")
+      ->check(kFinite)
+      ->type_name("V");
   command.add_option("--time", arguments->time, "When to cut a sequence of volumes, in frames from 0 [default: 0]")
       ->check(kFinite)
       ->type_name("T");

@@ -100,9 +100,22 @@ std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions o
   return stream;
 }
 
+/// Further isovalues are none of those given before; adaptive streams have none.
+void requireDistinct(const EncodeOptions& options) {
+  if (options.adaptive && !options.near.empty()) throw UsageFault("--near and --adaptive do not go together");
+  std::vector<double> all = options.near;
+  all.push_back(options.isovalue);
+  std::sort(all.begin(), all.end());
+  const auto twice = std::adjacent_find(all.begin(), all.end());
+  if (twice == all.end()) return;
+  if (*twice == options.isovalue) throw UsageFault(text("--near %.17g is the isovalue itself", *twice));
+  throw UsageFault(text("--near names %.17g twice", *twice));
+}
+
 void run(Arguments& arguments) {
   requireSense(arguments.source);
   arguments.options.isovalue = isovalueOf(arguments.source);
+  requireDistinct(arguments.options);
   if (arguments.json && arguments.output == "-") throw UsageFault("--json and the stream cannot share standard output");
   requireDifferent(arguments.source.volume.path, arguments.output);
   requireWritable(arguments.output);
@@ -150,6 +163,7 @@ void addEncode(CLI::App& app) {
       ->required();
   command.add_option("--iso", arguments->source.isovalue, "The isovalue; samples above it are inside; 0 for a mesh")
       ->check(kFinite);
+  addNear(command, options.near, "Further isovalues close by, which reuse what the first one tells");
   command
       .add_option("--scalar", arguments->source.scalar, "Which scalar of a tetrahedral mesh; else the marked or first")
       ->option_text("NAME");

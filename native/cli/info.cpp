@@ -26,10 +26,11 @@ struct Bits {
   uint64_t connectivity = 0, geometry = 0, header = 0;
 };
 
-Bits bitsOf(const StreamInfo& info) {
+/// Of the first isovalue's layers, or of all.
+Bits bitsOf(const StreamInfo& info, bool all) {
   Bits bits{.header = 8 * info.headerBytes};
   for (const LayerInfo& layer : info.layers)
-    (layer.kind == "geometry" ? bits.geometry : bits.connectivity) += 8 * layer.bytes;
+    if (all || layer.isovalue == 0) (layer.kind == "geometry" ? bits.geometry : bits.connectivity) += 8 * layer.bytes;
   return bits;
 }
 
@@ -38,14 +39,15 @@ const char* nameOf(Polygonizer polygonizer) {
 }
 
 void printJson(const StreamInfo& info, double unit) {
-  const Bits bits = bitsOf(info);
+  const Bits bits = bitsOf(info, true);
   Json layers = Json::array();
   for (const LayerInfo& layer : info.layers) {
     layers.push_back({{"kind", layer.kind},
                       {"level", layer.level},
                       {"offset", layer.offset},
                       {"bytes", layer.bytes},
-                      {"error", layer.error * unit}});
+                      {"error", layer.error * unit},
+                      {"isovalue", info.isovalues[static_cast<size_t>(layer.isovalue)]}});
   }
   const Json json = {
       {"format", info.version},
@@ -96,7 +98,7 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
 
 void printBits(const StreamInfo& info) {
   if (info.vertices == 0) return;
-  const Bits bits = bitsOf(info);
+  const Bits bits = bitsOf(info, false);
   const double vertices = static_cast<double>(info.vertices);
   std::cout << text("%-12s connectivity %.3f, geometry %.3f, header %.3f bits a vertex\n", "bits",
                     static_cast<double>(bits.connectivity) / vertices, static_cast<double>(bits.geometry) / vertices,
@@ -104,11 +106,14 @@ void printBits(const StreamInfo& info) {
 }
 
 void printLayers(const StreamInfo& info, double unit) {
-  std::cout << text("\n%-12s %5s %12s %12s %12s\n", "layer", "level", "complete at", "bytes", "RMS error");
+  const bool several = info.isovalues.size() > 1;
+  std::cout << text("\n%-12s %5s %12s %12s %12s%s\n", "layer", "level", "complete at", "bytes", "RMS error", several ? "     isovalue" : "");
   for (const LayerInfo& layer : info.layers) {
-    std::cout << text("%-12s %5d %12llu %12llu %12.4g\n", layer.kind.c_str(), layer.level,
+    std::cout << text("%-12s %5d %12llu %12llu %12.4g", layer.kind.c_str(), layer.level,
                       static_cast<unsigned long long>(layer.offset), static_cast<unsigned long long>(layer.bytes),
                       layer.error * unit);
+    if (several) std::cout << text(" %12.9g", info.isovalues[static_cast<size_t>(layer.isovalue)]);
+    std::cout << "\n";
   }
 }
 

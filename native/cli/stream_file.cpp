@@ -2,8 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "cli/progress_bar.h"
 #include "files/failure.h"
+#include "files/text.h"
 
 namespace isostar::native {
 
@@ -28,6 +31,16 @@ Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) 
   const bool prefix = decoder.ready() && error == Error::Truncated;
   if (error != Error::None && !prefix) throw Failure(path, describe(error));
   return decoder;
+}
+
+void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo& info, const std::string& path) {
+  const auto& held = info.isovalues;
+  if (!isovalue) return;
+  const auto [least, most] = std::minmax_element(held.begin(), held.end());
+  if (*isovalue >= *least && *isovalue <= *most) return;
+  std::string list;
+  for (const double each : held) list += text("%s%.10g", list.empty() ? "" : ", ", each);
+  throw Failure(path, text("does not hold isovalue %.10g; it holds %s%s", *isovalue, list.c_str(), held.size() > 1 ? " and what lies between" : ""));
 }
 
 Mesh surfaceOf(const Decoder& decoder, const MeshOptions& options, const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,6 +17,9 @@ StreamInfo inspectStream(std::span<const std::byte>, const std::string& path);
 
 /// All that a stream, or a prefix of one, can show. Fails with one line where it is damaged, or ends within its header.
 Decoder decodeStream(std::span<const std::byte>, const std::string& path);
+
+/// Fails with one line where a stream has no such isovalue, nor two around it.
+void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo&, const std::string& path);
 
 /// The decoder's surface; fails with one line naming `path`.
 Mesh surfaceOf(const Decoder&, const MeshOptions&, const std::string& path);

@@ -402,6 +402,26 @@ TEST_F(CommandLine, refusesAnIsovalueTheStreamDoesNotHold) {
   EXPECT_EQ(run({"decode", "ball.isostar", "out.ply", "--iso", "0"}).status, 0);
 }
 
+TEST_F(CommandLine, severalIsovaluesInAFile) {
+  ASSERT_EQ(run({"encode", ball(), "several.isostar", "--iso", "0", "--near", "0.5,-0.25"}).status, 0);
+  ASSERT_EQ(run({"encode", ball(), "half.isostar", "--iso", "0.5"}).status, 0);
+  const auto info = nlohmann::json::parse(run({"info", "several.isostar", "--json"}).results);
+  EXPECT_EQ(info["isovalues"], (std::vector<double>{0, -0.25, 0.5}));
+  EXPECT_EQ(info["layers"].front()["isovalue"], 0);
+  EXPECT_EQ(info["layers"].back()["isovalue"], 0.5);
+  const auto compared = nlohmann::json::parse(run({"compare", "several.isostar", "half.isostar", "--iso", "0.5", "--json"}).results);
+  EXPECT_LT(compared["symmetric"]["max"], 0.1);
+  EXPECT_EQ(compared["a"]["vertices"], compared["b"]["vertices"]);
+  for (const char* isovalue : {"0", "-0.25", "0.5", "0.3"}) {
+    EXPECT_EQ(run({"decode", "several.isostar", "out.ply", "--iso", isovalue}).status, 0) << isovalue;
+  }
+  const std::string fault = expectFault(1, {"decode", "several.isostar", "out.ply", "--iso", "0.6"});
+  EXPECT_NE(fault.find("it holds 0, -0.25, 0.5 and what lies between"), std::string::npos) << fault;
+  for (const char* bad : {"0", "1,1", "nan", "1,inf", "1,x", ""}) expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", bad});
+  expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", "1", "--adaptive"});
+  expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16"});
+}
+
 TEST_F(CommandLine, takesNegativeIsovalues) {
   EXPECT_EQ(run({"encode", ball(), "a.isostar", "--iso", "-1.5"}).status, 0);
   EXPECT_EQ(run({"encode", ball(), "a.isostar", "--iso=-1.5"}).status, 0);
