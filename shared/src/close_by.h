@@ -45,7 +45,7 @@ class CloseBy {
     }
   };
 
-  [[nodiscard]] const std::deque<NearSurface<D>>& surfaces() const { return surfaces_; }
+  [[nodiscard]] const std::vector<NearSurface<D>>& surfaces() const { return surfaces_; }
   /// Of an isovalue; null where its signs have not been told.
   [[nodiscard]] const NearSurface<D>* find(double isovalue) const {
     for (const auto& s : surfaces_) {
@@ -56,7 +56,7 @@ class CloseBy {
 
   /// The signs of one more isovalue, `level` quanta above the first one; by `margin` levels and signs may disagree.
   template <class Exchange>
-  void signs(Exchange& ask, const First& first, double isovalue, int32_t level, int32_t margin) {
+  [[gnu::noinline]] void signs(Exchange& ask, const First& first, double isovalue, int32_t level, int32_t margin) {
     if (surfaces_.empty()) takeOver(first);
     NearSurface<D> fresh;
     fresh.isovalue = isovalue;
@@ -76,7 +76,7 @@ class CloseBy {
 
   /// Octaves of what has no bounds yet.
   template <class Exchange>
-  void octaves(Exchange& ask, Members members, int depth) {
+  [[gnu::noinline]] void octaves(Exchange& ask, Members members, int depth) {
     NearSurface<D>& last = surfaces_.back();
     octaves_.tell(ask, last.signs, last.scalars, members, depth, last.active);
     for (std::size_t place = 0; place < last.active.size(); ++place) {
@@ -144,7 +144,7 @@ class CloseBy {
     }
   }
 
-  std::deque<NearSurface<D>> surfaces_;
+  std::vector<NearSurface<D>> surfaces_;
   Intervals<D> intervals_;
   NearSignsCoder<D> signsCoder_;
   OctavesCoder<D> octaves_;

@@ -26,12 +26,14 @@ class Logistic {
     std::array<uint16_t, 2 * kBound + 1> squash{};
     std::array<int16_t, 4096> stretch{};
 
-    constexpr Tables() {
+    /// At run time, since they would be an eighth of a small decoder; volatile keeps the compiler from doing it all the same.
+    Tables() {
+      const volatile int first = -kBound;
       // 65536 / (1 + e^-x) at x = -8, -7.5, … 8; straight lines between.
       constexpr std::array<uint32_t, 33> kKnots{22,    36,    60,    98,    162,   267,   439,   720,   1179,  1921,  3108,
                                                 4971,  7812,  11955, 17625, 24743, 32768, 40793, 47911, 53581, 57724, 60565,
                                                 62428, 63615, 64357, 64816, 65097, 65269, 65374, 65438, 65476, 65500, 65514};
-      for (int x = -kBound; x <= kBound; ++x) {
+      for (int x = first; x <= kBound; ++x) {
         const int at = x + 2048;
         const uint32_t a = kKnots[static_cast<std::size_t>(at >> 7)], b = kKnots[static_cast<std::size_t>((at >> 7) + 1)];
         const uint32_t value = a + ((b - a) * static_cast<uint32_t>(at & 127) + 64) / 128;
@@ -45,11 +47,11 @@ class Logistic {
       }
     }
   };
-  static const Tables& tables() {
-    static constexpr Tables kTables{};
-    return kTables;
-  }
+  static const Tables kTables;
+  static const Tables& tables() { return kTables; }
 };
+
+inline const Logistic::Tables Logistic::kTables;
 
 /// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first decisions, never by less than
 /// 1/limit. No tables, so that several of them learn side by side.

@@ -30,7 +30,7 @@ class NearSignsCoder {
 
   /// `signs` are the nearest isovalue's at first; `scalars` what intervals tell, seen from the new isovalue.
   template <class Exchange>
-  void tell(Exchange& ask, const Task& task, Intervals<D>& intervals, Signs<D>& signs, Scalars<D>& scalars) {
+  [[gnu::noinline]] void tell(Exchange& ask, const Task& task, Intervals<D>& intervals, Signs<D>& signs, Scalars<D>& scalars) {
     task_ = &task;
     intervals_ = &intervals;
     signs_ = &signs;
@@ -98,7 +98,7 @@ class NearSignsCoder {
   }
 
   template <class Exchange>
-  void grow(Exchange& ask) {
+  [[gnu::noinline]] void grow(Exchange& ask) {
     while (const auto place = front_.next()) {
       if (spent(ask)) return;
       enter(*place);
@@ -132,7 +132,7 @@ class NearSignsCoder {
   }
 
   template <class Exchange>
-  bool hasExceptions(Exchange& ask, std::size_t place) const {
+  [[gnu::noinline]] bool hasExceptions(Exchange& ask, std::size_t place) const {
     if (!front_.open(place)) return false;
     const uint32_t index = signs_->index(place);
     if (index <= Signs<D>::kPositive && !ask.varies(place, index)) return false;
@@ -159,7 +159,7 @@ class NearSignsCoder {
     }
   }
 
-  void enter(std::size_t place) {
+  [[gnu::noinline]] void enter(std::size_t place) {
     front_.enter(place);
     values_.load(*scalars_, signs_->table(), signs_->table().brick(place));
     shapes_.load(front_.window());
@@ -168,7 +168,7 @@ class NearSignsCoder {
   }
 
   template <class Exchange>
-  void tellVertex(Exchange& ask, std::size_t place, std::size_t r, int x) {
+  [[gnu::noinline]] void tellVertex(Exchange& ask, std::size_t place, std::size_t r, int x) {
     const bool turned = tellTurned(ask, r, x, known(place, vertexOf(r, x)), (ask.row(place, r) >> x & 1) != 0);
     settle(place, r, x, turned != front_.positive(r, x));
   }

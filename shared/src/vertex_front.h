@@ -2,7 +2,6 @@
 #pragma once
 
 #include <bit>
-#include <deque>
 #include <optional>
 
 #include "window.h"
@@ -15,11 +14,12 @@ template <int D>
 class VertexFront {
  public:
   /// Open are the vertices that are not negative below and not positive above; null stands for all.
-  void begin(Signs<D>& signs, const Signs<D>* below, const Signs<D>* above) {
+  [[gnu::noinline]] void begin(Signs<D>& signs, const Signs<D>* below, const Signs<D>* above) {
     signs_ = &signs;
     open_ = Signs<D>(signs.lattice());
     queued_.assign(places(), 0);
-    queue_.clear();
+    queue_.assign(places(), 0);
+    first_ = waiting_ = 0;
     const auto& lattice = signs.lattice();
     for (std::size_t place = 0; place < places(); ++place) {
       if ((below != nullptr && below->index(place) == Signs<D>::kNegative) || (above != nullptr && above->index(place) == Signs<D>::kPositive)) continue;
@@ -40,7 +40,7 @@ class VertexFront {
   [[nodiscard]] std::size_t memory() const { return open_.memory() + places() * (1 + sizeof(std::size_t)); }
 
   /// Closes a vertex of a brick with a sign; that of the entered one shows at once.
-  void close(std::size_t place, std::size_t r, int x, bool positive) {
+  [[gnu::noinline]] void close(std::size_t place, std::size_t r, int x, bool positive) {
     open_.writable(place).rows[r] &= static_cast<uint8_t>(~(1u << x));
     if ((signs_->brickAt(place).rows[r] >> x & 1) == (positive ? 1u : 0u)) return;
     signs_->writable(place).rows[r] ^= static_cast<uint8_t>(1u << x);
@@ -54,9 +54,10 @@ class VertexFront {
   }
   /// The brick that has waited longest.
   [[nodiscard]] std::optional<std::size_t> next() {
-    if (queue_.empty()) return std::nullopt;
-    const std::size_t place = queue_.front();
-    queue_.pop_front();
+    if (waiting_ == 0) return std::nullopt;
+    const std::size_t place = queue_[first_];
+    first_ = (first_ + 1) % queue_.size();
+    --waiting_;
     queued_[place] = 0;
     return place;
   }
@@ -110,9 +111,9 @@ class VertexFront {
   void queue(std::size_t place) {
     if (queued_[place] != 0 || !open(place)) return;
     queued_[place] = 1;
-    queue_.push_back(place);
+    queue_[(first_ + waiting_++) % queue_.size()] = place;
   }
-  void queueAround(std::size_t place) {
+  [[gnu::noinline]] void queueAround(std::size_t place) {
     const auto& table = signs_->table();
     const auto at = table.brick(place);
     queue(place);
@@ -125,7 +126,8 @@ class VertexFront {
   Signs<D>* signs_ = nullptr;
   Signs<D> open_;  // 1: open
   std::vector<uint8_t> queued_;
-  std::deque<std::size_t> queue_;
+  std::vector<std::size_t> queue_;  // a ring: no brick waits twice
+  std::size_t first_ = 0, waiting_ = 0;
   Window<D> window_;
   std::size_t entered_ = SIZE_MAX;
   bool changed_ = false;
