@@ -18,19 +18,20 @@ val viewOf(const std::vector<Number>& numbers) {
   return val(emscripten::typed_memory_view(numbers.size(), numbers.data()));
 }
 
-val describeLayer(const isostar::LayerInfo& layer) {
+val describeLayer(const isostar::LayerInfo& layer, const std::vector<double>& isovalues) {
   val out = val::object();
   out.set("kind", layer.kind);
   out.set("level", layer.level);
   out.set("offset", double(layer.offset));
   out.set("bytes", double(layer.bytes));
   out.set("error", layer.error);
+  out.set("isovalue", isovalues[size_t(layer.isovalue)]);
   return out;
 }
 
 val describeStream(const isostar::StreamInfo& info) {
   val out = val::object(), layers = val::array();
-  for (const auto& layer : info.layers) layers.call<void>("push", describeLayer(layer));
+  for (const auto& layer : info.layers) layers.call<void>("push", describeLayer(layer, info.isovalues));
   out.set("version", info.version);
   out.set("dimension", info.dimension);
   out.set("size", arrayOf(info.size));
@@ -69,8 +70,10 @@ class RawDecoder {
   std::string error() const { return isostar::name(decoder_.error()); }
   std::string describeError() const { return isostar::describe(decoder_.error()); }
 
-  std::string makeMesh(isostar::Polygonizer polygonizer, isostar::Frame frame, bool normals) {
-    return isostar::name(decoder_.mesh({polygonizer, frame, normals}, mesh_));
+  std::string makeMesh(isostar::Polygonizer polygonizer, isostar::Frame frame, bool normals, double isovalue) {
+    isostar::MeshOptions options{polygonizer, frame, normals};
+    options.isovalue = isovalue;
+    return isostar::name(decoder_.mesh(options, mesh_));
   }
   val positions() const { return viewOf(mesh_.positions); }
   val normals() const { return viewOf(mesh_.normals); }

@@ -3,7 +3,7 @@ import { copyFileSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSyn
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { gyroidStream, isostar } from '../node/streams.mjs';
+import { gyroidStream, isostar, severalStream } from '../node/streams.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'isostar-samples-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
@@ -11,12 +11,14 @@ process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
 const stream = gyroidStream();
 const bunny = join(createRequire(import.meta.url).resolve('draco3d'), '../bunny.drc');
 copyFileSync(stream, join(folder, 'gyroid.isostar'));
+copyFileSync(severalStream(), join(folder, 'several.isostar'));
 copyFileSync(bunny, join(folder, 'bunny.drc'));
 writeFileSync(join(folder, 'broken.isostar'), readFileSync(stream).subarray(0, 2000).fill(7, 1500));
 const sample = (id, file, extra) => ({ id, title: id, note: 'made by a test', stream: file, bytes: statSync(stream).size, ...extra });
 writeFileSync(join(folder, 'samples.json'), JSON.stringify({
   samples: [
     sample('gyroid', 'gyroid.isostar', { draco: { file: 'bunny.drc', bytes: statSync(bunny).size, settings: 'a bunny', error: 0.1 } }),
+    sample('several', 'several.isostar'),
     sample('slow', 'slow.isostar'),
     sample('broken', 'broken.isostar'),
   ],

@@ -77,6 +77,27 @@ test('the slider goes back over prefixes, the buttons from layer to layer', asyn
   await page.close();
 });
 
+test('the isovalue slider shows what lies between, and is not there for one isovalue', async () => {
+  const page = await browser.open('?rate=Infinity&sample=gyroid');
+  await settled(page, 'isostar-complete');
+  assert.ok(await page.locator('#isovalue').isHidden());
+  await page.locator('#sample').selectOption('several');
+  await page.locator('#isovalue').waitFor({ state: 'visible' });
+  await settled(page, 'isostar-complete');
+  const first = await stat(page, 'isostar-vertices'), picture = await page.locator('#stage').screenshot();
+  await page.locator('#level').fill('150');
+  await page.waitForFunction((text) => document.querySelector('[data-stat=isostar-vertices]').textContent !== text, first);
+  assert.match(await page.locator('#isovalue output').textContent(), /in between/);
+  await page.waitForTimeout(300);
+  assert.notDeepEqual(await page.locator('#stage').screenshot(), picture);
+  await page.locator('#level').fill('0');
+  await page.waitForFunction((text) => document.querySelector('[data-stat=isostar-vertices]').textContent === text, first);
+  await page.locator('#level').fill('400');
+  await page.waitForFunction(() => document.querySelector('#isovalue output').textContent === '0.5');
+  assert.deepEqual(browser.complaints, []);
+  await page.close();
+});
+
 test('polygonizer, wireframe, comparison, keys', async () => {
   const page = await browser.open('?rate=Infinity&sample=gyroid');
   await settled(page, 'isostar-complete');

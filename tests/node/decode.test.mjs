@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { createDecoder } from 'isostar';
-import { all, ballStream, emptyStream, gyroidStream, inPieces, isostar, read } from './streams.mjs';
+import { all, ballStream, emptyStream, encodeField, gyroidStream, inPieces, isostar, read } from './streams.mjs';
 
 const gyroidPath = gyroidStream();
 const gyroid = read(gyroidPath);
@@ -94,6 +94,34 @@ test('options', async () => {
   const world = await whole(gyroid);
   const grid = await whole(gyroid, { frame: 'grid' });
   for (const vertex of [0, 1000]) assert.ok(Math.abs(world.positions[3 * vertex + 2] - 2 * grid.positions[3 * vertex + 2]) < 1e-4);
+});
+
+test('several isovalues in a stream, and what lies between', async () => {
+  const several = read(encodeField('several', [30, 30, 30], (i, j, k) => 10 - Math.hypot(i - 15, j - 15, k - 15), '--near', '1,2'));
+  const radius = ({ positions }) => Math.hypot(positions[0] - 15, positions[1] - 15, positions[2] - 15);
+  for (const isovalue of [0, 0.3, 1, 1.5, 2]) {
+    const surface = await whole(several, { isovalue });
+    isSound(surface);
+    assert.equal(surface.isovalue, isovalue);
+    assert.deepEqual(surface.info.isovalues, [0, 1, 2]);
+    assert.ok(Math.abs(radius(surface) - (10 - isovalue)) < 0.3, `${isovalue}: ${radius(surface)}`);
+  }
+  assert.equal((await whole(several)).isovalue, 0);
+  assert.ok((await whole(several)).info.layers.some(({ isovalue }) => isovalue === 2));
+});
+
+test('a source of isovalues turns the surface after the last byte', async () => {
+  const several = read(encodeField('turned', [30, 30, 30], (i, j, k) => 10 - Math.hypot(i - 15, j - 15, k - 15), '--near', '2'));
+  const seen = [];
+  let next;
+  const isovalue = (async function* () { for (let value; (value = await new Promise((resolve) => (next = resolve))) !== undefined; ) yield value; })();
+  const wanted = [0.5, 2, 1, undefined];
+  for await (const surface of decoder.decode(several, { isovalue, refinements: 'last' })) {
+    seen.push(surface.isovalue);
+    assert.ok(surface.final);
+    next(wanted.shift());
+  }
+  assert.deepEqual(seen, [0, 0.5, 2, 1]);
 });
 
 test('triangles are counter-clockwise seen from where values are smaller, and normals point there', async () => {

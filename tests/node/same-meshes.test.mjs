@@ -22,6 +22,7 @@ const streams = {
   lossless: encodeField('lossless', [20, 17, 9], waves, '--lossless', '--polygonizer', 'tetrahedra'),
   whole: encodeField('whole', [24, 24, 24], (i, j, k) => Math.round(1000 * waves(i, j, k)), '--max-error', '0.01'),
   adaptive: encodeField('adaptive', [40, 33, 36], (i, j, k) => 13 - Math.hypot(i - 19, j - 16, k - 17), '--max-error', '0.2', '--adaptive'),
+  several: encodeField('several', [24, 20, 26], (i, j, k) => Math.round(500 * waves(i, j, k)), '--near', '7.5,-20'),
   noise: encodeField('noise', [14, 15, 16], noise),
   rough: encodeField('rough', [40, 9, 30], (i, j, k) => waves(i, j, k) + 0.5 * noise(i, j, k), '--max-error', '0.2'),
 };
@@ -49,16 +50,16 @@ function parsePly(file) {
   return digest(positions, normals, indices);
 }
 
-function nativeMesh(stream, length, polygonizer) {
+function nativeMesh(stream, length, polygonizer, isovalue) {
   const mesh = `${stream}.${length}.${polygonizer}.ply`;
-  isostar('decode', stream, mesh, '--bytes', String(length), '--polygonizer', polygonizer, '--frame', 'grid');
+  isostar('decode', stream, mesh, '--bytes', String(length), '--polygonizer', polygonizer, '--frame', 'grid', '--iso', String(isovalue));
   return parsePly(readFileSync(mesh));
 }
 
-async function webMesh(bytes, polygonizer) {
+async function webMesh(bytes, polygonizer, isovalue) {
   const surfaces = [];
   try {
-    for await (const surface of decoder.decode(bytes, { polygonizer, frame: 'grid', refinements: 'last' })) surfaces.push(surface);
+    for await (const surface of decoder.decode(bytes, { polygonizer, isovalue, frame: 'grid', refinements: 'last' })) surfaces.push(surface);
   } catch (error) {
     assert.equal(error.code, 'Truncated');
   }
@@ -69,9 +70,11 @@ async function webMesh(bytes, polygonizer) {
 for (const [name, stream] of Object.entries(streams))
   test(`the same meshes of ${name}`, async () => {
     const bytes = read(stream);
-    const { layers } = (await all(decoder.decode(bytes, { refinements: 'last' })))[0].info;
+    const { layers, isovalues } = (await all(decoder.decode(bytes, { refinements: 'last' })))[0].info;
+    const between = isovalues.length > 1 ? [(isovalues[0] + 2 * isovalues[1]) / 3] : [];
     const lengths = [layers[0].offset, layers[1].offset, Math.round(0.4 * bytes.length), Math.round(0.7 * bytes.length), bytes.length];
     for (const length of lengths.filter((length) => length >= layers[0].offset))
       for (const polygonizer of ['cubes', 'tetrahedra'])
-        assert.equal(await webMesh(bytes.subarray(0, length), polygonizer), nativeMesh(stream, length, polygonizer), `${polygonizer}, ${length} bytes`);
+        for (const isovalue of [...isovalues, ...between])
+          assert.equal(await webMesh(bytes.subarray(0, length), polygonizer, isovalue), nativeMesh(stream, length, polygonizer, isovalue), `${polygonizer}, ${length} bytes, ${isovalue}`);
   });

@@ -34,6 +34,8 @@ const gyroid = (period) => (i, j, k) => {
 export const ballStream = () => encodeField('ball', [17, 15, 16], ball(15));
 /** Many levels and some ten kilobytes. */
 export const gyroidStream = () => encodeField('gyroid', [64, 60, 50], gyroid(25), '--spacing', '0.5,1,2');
+/** Three isovalues: 0, 0.25 and 0.5. */
+export const severalStream = () => encodeField('gyroids', [64, 60, 50], gyroid(25), '--near', '0.25,0.5');
 export const emptyStream = () => encodeField('empty', [9, 9, 9], () => -1);
 
 export const read = (stream) => new Uint8Array(readFileSync(stream));

@@ -1,6 +1,6 @@
 import { disposed } from './disposed.js';
 import { IsostarError } from './errors.js';
-import { Inbox, readInto } from './inbox.js';
+import { Inbox, readInto, turnWith } from './inbox.js';
 import { loadModule, type WasmSource } from './load-module.js';
 import type { RawModule } from './raw.js';
 import { Session } from './session.js';
@@ -22,16 +22,18 @@ export class LocalDecoder implements Decoder {
     return new LocalDecoder(wasm, await loadModule(wasm));
   }
 
-  async *decode(source: Source, { signal, ...options }: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
+  async *decode(source: Source, { signal, isovalue, ...options }: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
     signal?.throwIfAborted();
     const inbox = new Inbox();
     const giveUp = readInto(inbox, source);
+    const stopTurning = typeof isovalue === 'object' ? turnWith(inbox, isovalue) : undefined;
     const abort = () => inbox.fail(signal?.reason);
     signal?.addEventListener('abort', abort);
     try {
-      yield* this.decodeInbox(inbox, options);
+      yield* this.decodeInbox(inbox, typeof isovalue === 'number' ? { ...options, isovalue } : options);
     } finally {
       giveUp();
+      stopTurning?.();
       signal?.removeEventListener('abort', abort);
     }
   }

@@ -8,6 +8,8 @@ export type Request =
   | { type: 'decode'; id: number; options: SurfaceOptions }
   | { type: 'piece'; id: number; piece: Uint8Array }
   | { type: 'end'; id: number }
+  | { type: 'turn'; id: number; isovalue: number | undefined }
+  | { type: 'settle'; id: number }
   | { type: 'next'; id: number }
   | { type: 'stop'; id: number };
 

@@ -13,7 +13,7 @@ export interface RawDecoder {
   info(): import('./surface.js').StreamInfo;
   error(): string;
   describeError(): string;
-  makeMesh(polygonizer: object, frame: object, normals: boolean): string;
+  makeMesh(polygonizer: object, frame: object, normals: boolean, isovalue: number): string;
   positions(): Float32Array;
   normals(): Float32Array;
   triangles(): Uint32Array;

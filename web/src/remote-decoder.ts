@@ -1,5 +1,5 @@
 import { IsostarError } from './errors.js';
-import { readInto } from './inbox.js';
+import { readInto, turnWith } from './inbox.js';
 import type { WasmSource } from './load-module.js';
 import { disposed } from './disposed.js';
 import type { Reply, Request } from './protocol.js';
@@ -34,7 +34,7 @@ export class RemoteDecoder implements Decoder {
     return decoder;
   }
 
-  async *decode(source: Source, { signal, ...options }: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
+  async *decode(source: Source, { signal, isovalue, ...options }: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
     signal?.throwIfAborted();
     const id = ++this.#lastId;
     let sourceFailure: { reason: unknown } | undefined;
@@ -49,7 +49,9 @@ export class RemoteDecoder implements Decoder {
     );
     const abort = () => fail(signal?.reason);
     signal?.addEventListener('abort', abort);
-    this.#post({ type: 'decode', id, options });
+    this.#post({ type: 'decode', id, options: typeof isovalue === 'number' ? { ...options, isovalue } : options });
+    const turn = (isovalue?: number) => this.#post({ type: 'turn', id, isovalue });
+    const stopTurning = typeof isovalue === 'object' ? turnWith({ turn, settle: () => this.#post({ type: 'settle', id }), fail }, isovalue) : undefined;
     try {
       for (;;) {
         if (sourceFailure) throw sourceFailure.reason;
@@ -60,6 +62,7 @@ export class RemoteDecoder implements Decoder {
       }
     } finally {
       giveUp();
+      stopTurning?.();
       this.#post({ type: 'stop', id });
       signal?.removeEventListener('abort', abort);
     }

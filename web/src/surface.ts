@@ -13,6 +13,8 @@ export interface Layer {
   readonly bytes: number;
   /** RMS distance to the source's surface, in grid steps, as the encoder determined it. */
   readonly error: number;
+  /** Whose surface it tells. */
+  readonly isovalue: number;
 }
 
 /** What the stream's header tells, and the heads of the layers decoded so far. */
@@ -25,6 +27,7 @@ export interface StreamInfo {
   readonly spacing: readonly [number, number, number];
   /** Row-major 3×3: world = origin + direction · (spacing ∘ index). */
   readonly direction: readonly number[];
+  /** The first one, then further ones in the order in which they are told. */
   readonly isovalues: readonly number[];
   readonly polygonizer: Polygonizer;
   readonly lossless: boolean;
@@ -50,7 +53,9 @@ export interface Surface {
   /** 0 is the base; `levels - 1` the source's own grid. */
   readonly level: number;
   readonly levels: number;
-  /** RMS distance to the source's surface in grid steps, after the last complete layer. */
+  /** Whose surface it is; where it is none of the stream's own, it is drawn from what is known of those around it. */
+  readonly isovalue: number;
+  /** RMS distance to the source's surface in grid steps, after the last complete layer of the nearest of the stream's isovalues. */
   readonly error: number;
   /** No better surface will come. */
   readonly final: boolean;
@@ -69,7 +74,7 @@ export interface SurfaceOptions {
   polygonizer?: Polygonizer;
   frame?: Frame;
   normals?: boolean;
-  /** One of the stream's isovalues; by default its first. */
+  /** One of the stream's isovalues, or one between two of them; by default its first. */
   isovalue?: number;
   /**
    * `newest`: the first surface early, then always the best that the bytes at hand allow, skipping those that are stale
@@ -78,7 +83,12 @@ export interface SurfaceOptions {
   refinements?: 'newest' | 'all' | 'last';
 }
 
-export interface DecodeOptions extends SurfaceOptions {
+export interface DecodeOptions extends Omit<SurfaceOptions, 'isovalue'> {
+  /**
+   * One of the stream's isovalues, or one between two of them; by default its first. Several as they come, from a slider say,
+   * turn the surface to each, also after the last byte: the iteration ends when they do.
+   */
+  isovalue?: number | AsyncIterable<number>;
   /** Aborting stops the download and the decoding; the iteration throws the signal's reason. */
   signal?: AbortSignal;
 }

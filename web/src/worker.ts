@@ -31,6 +31,8 @@ class Service {
     if (!decode) return;
     if (request.type === 'piece') decode.inbox.push(request.piece);
     if (request.type === 'end') decode.inbox.end();
+    if (request.type === 'turn') decode.inbox.turn(request.isovalue);
+    if (request.type === 'settle') decode.inbox.settle();
     if (request.type === 'next') return this.#answer(request.id, () => this.#next(request.id, decode.surfaces));
     if (request.type === 'stop') {
       this.#decodes.delete(request.id);

@@ -1,6 +1,7 @@
 import { createDecoder, IsostarError, type DecodeOptions, type Decoder, type Polygonizer, type Source, type Surface } from 'isostar';
 import type { Download } from './download.ts';
 import { idle } from './idle.ts';
+import { Newest } from './newest.ts';
 
 const DEBOUNCE = 60;  // milliseconds
 
@@ -17,6 +18,8 @@ export class Track {
   #polygonizer: Polygonizer = 'cubes';
   #download: Download | undefined;
   #prefix: number | undefined;
+  #isovalue: number | undefined;
+  #turns = new Newest<number>();
   #run = new AbortController();
   #pending: { surface: Surface; isLive: boolean } | undefined;
 
@@ -32,7 +35,15 @@ export class Track {
   play(download: Download): void {
     this.#download = download;
     this.#prefix = undefined;
+    this.#isovalue = undefined;
     void this.#restart();
+  }
+
+  /** Shows another isovalue: of the stream as it is decoded already, of a prefix from its beginning. */
+  turn(isovalue: number): void {
+    this.#isovalue = isovalue;
+    if (this.#prefix === undefined) this.#turns.put(isovalue);
+    else void this.#restart(DEBOUNCE);
   }
 
   setPolygonizer(polygonizer: Polygonizer): void {
@@ -55,8 +66,14 @@ export class Track {
     const download = this.#download;
     if (!download || signal.aborted) return;
     const options = { signal, polygonizer: this.#polygonizer };
-    if (this.#prefix === undefined) await this.#show(download.pieces(), options, true);
-    else await this.#show(download.prefix(this.#prefix), { ...options, refinements: 'last' }, false);
+    if (this.#prefix !== undefined) {
+      const isovalue = this.#isovalue === undefined ? {} : { isovalue: this.#isovalue };
+      await this.#show(download.prefix(this.#prefix), { ...options, ...isovalue, refinements: 'last' }, false);
+      return;
+    }
+    this.#turns = new Newest();
+    if (this.#isovalue !== undefined) this.#turns.put(this.#isovalue);
+    await this.#show(download.pieces(), { ...options, isovalue: this.#turns }, true);
   }
 
   async #show(source: Source, options: DecodeOptions & { signal: AbortSignal }, isLive: boolean): Promise<void> {

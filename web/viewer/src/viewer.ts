@@ -2,6 +2,7 @@ import type { Polygonizer, Surface } from 'isostar';
 import { Draco } from './draco.ts';
 import { Download, fromAddress, type Origin } from './download.ts';
 import { idle, nextPicture } from './idle.ts';
+import { IsovalueSlider } from './isovalue-slider.ts';
 import type { Sample } from './samples.ts';
 import { Side } from './side.ts';
 import { Stage } from './stage.ts';
@@ -21,6 +22,7 @@ export class Viewer {
   readonly #ours = new Side('isostar', this.#statistics);
   readonly #theirs = new Side('draco', this.#statistics);
   readonly #timeline = new Timeline(element('#timeline'), (bytes) => this.#track.scrub(bytes));
+  readonly #isovalues = new IsovalueSlider(element('#isovalue'), (isovalue) => this.#track.turn(isovalue));
   readonly #track = new Track({
     surface: (surface, isLive) => this.#show(surface, isLive),
     failure: (reason) => this.say(reasonOf(reason)),
@@ -52,6 +54,7 @@ export class Viewer {
     const contest = ++this.#contest;
     this.say('');
     this.#timeline.clear();
+    this.#isovalues.clear();
     this.stage.show(0, undefined);
     this.stage.show(1, undefined);
     this.#arrange();
@@ -103,6 +106,7 @@ export class Viewer {
     this.stage.show(0, surface);
     this.#frameOnce(surface);
     this.#timeline.show(surface, isLive);
+    this.#isovalues.show(surface);
     this.#tick();
     const { info, milliseconds } = surface;
     this.#ours.learn({

@@ -1,0 +1,19 @@
+/** Values as they come, without end: a late taker gets the newest only. */
+export class Newest<Value> implements AsyncIterable<Value> {
+  #waiting: { value: Value } | undefined;
+  #wake = () => {};
+
+  put(value: Value): void {
+    this.#waiting = { value };
+    this.#wake();
+  }
+
+  async *[Symbol.asyncIterator](): AsyncGenerator<Value, void> {
+    for (;;) {
+      while (!this.#waiting) await new Promise<void>((resolve) => (this.#wake = resolve));
+      const { value } = this.#waiting;
+      this.#waiting = undefined;
+      yield value;
+    }
+  }
+}
