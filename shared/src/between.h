@@ -28,6 +28,20 @@ class Between {
     active_ = activeBricks(signs_);
   }
 
+  /// Bytes that it takes at most to make it.
+  [[nodiscard]] static uint64_t memoryToMake(const CloseBy<D>& near, const typename CloseBy<D>::First& first, double isovalue) {
+    const auto neighbours = near.neighbours(first, isovalue);
+    const uint64_t places = first.signs.table().total(), seen = near.bricksSeen(first);
+    uint64_t bricks = seen;
+    for (std::size_t place = 0; neighbours.below && neighbours.above && place < places; ++place) {
+      bricks += splits(*neighbours.below->signs, *neighbours.above->signs, place) ? 1 : 0;
+    }
+    return Scalars<D>::memoryOf(places, bricks) + Scalars<D>::memoryOf(places, seen) + places +
+           Signs<D>::memoryToFill(places, neighbours.nearest(isovalue).signs->brickCount() + bricks);
+  }
+  /// Bytes in use, while one more brick is made.
+  [[nodiscard]] uint64_t memory() const { return scalars_.memory() + known_.memory() + signs_.memory() + active_.size(); }
+
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   [[nodiscard]] const std::vector<uint8_t>& active() const { return active_; }
   /// Seen from the isovalue, in 2^-finer() half quanta.
@@ -37,8 +51,13 @@ class Between {
  private:
   static constexpr double kMost = 1 << 30;
 
+  /// May a brick have vertices between two isovalues?
+  static bool splits(const Signs<D>& below, const Signs<D>& above, std::size_t place) {
+    return below.index(place) != Signs<D>::kNegative && above.index(place) != Signs<D>::kPositive;
+  }
+
   void brick(std::size_t place) {
-    const bool split = below_ != nullptr && below_->index(place) != Signs<D>::kNegative && above_->index(place) != Signs<D>::kPositive;
+    const bool split = below_ != nullptr && splits(*below_, *above_, place);
     if (!split && !known_.has(place)) return;
     Brick<D> bits = signs_.brickAt(place);
     const auto& told = known_.at(place);

@@ -1,6 +1,7 @@
 // Signs of an octave's vertices, kept in bricks that exist only near the surface.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +21,8 @@ constexpr std::size_t power(std::size_t base, int exponent) {
 
 /// Bytes that a vector uses while it takes one more: where it is full, it and its successor.
 template <class T>
-std::size_t memoryToGrow(const std::vector<T>& v) {
-  return (v.size() < v.capacity() ? v.capacity() : 3 * v.capacity()) * sizeof(T);
+uint64_t memoryToGrow(const std::vector<T>& v) {
+  return uint64_t{v.size() < v.capacity() ? v.capacity() : 3 * v.capacity()} * sizeof(T);
 }
 
 /// 8^D signs; bit x of byte r is vertex (x, y, …) with r = y + 8 z + …: in 3D one cache line.
@@ -88,7 +89,11 @@ class Signs {
   [[nodiscard]] const Brick<D>& brickAt(std::size_t place) const { return bricks_[at_[place]]; }
   [[nodiscard]] uint32_t brickCount() const { return static_cast<uint32_t>(bricks_.size()); }
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] std::size_t memory() const { return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_); }
+  [[nodiscard]] uint64_t memory() const { return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_); }
+  /// Bytes that it takes at most to put so many bricks one after the other.
+  [[nodiscard]] static uint64_t memoryToFill(uint64_t places, uint64_t bricks) {
+    return places * sizeof(uint32_t) + 3 * (std::min(bricks, places) + 2) * sizeof(Brick<D>);
+  }
 
   void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }
   void setUniform(std::size_t place, uint32_t uniform) { at_[place] = uniform; }

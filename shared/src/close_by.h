@@ -70,6 +70,7 @@ class CloseBy {
     fresh.signs = *near.nearest(isovalue).signs;
     fresh.scalars = seenFrom(first, level);
     signsCoder_.tell(ask, task, intervals_, fresh.signs, fresh.scalars);
+    if (ask.spent()) return;  // not all are known
     fresh.active = activeBricks(fresh.signs);
     surfaces_.push_back(std::move(fresh));
   }
@@ -124,17 +125,33 @@ class CloseBy {
     return scalars;
   }
 
-  /// Bytes that it takes to begin one more isovalue.
-  [[nodiscard]] std::size_t memoryToBegin(const First& first) const {
-    const std::size_t known = surfaces_.empty() ? 2 * first.scalars.memory() : intervals_.memory();
-    return 2 * known + first.signs.memory();
+  /// Bytes that it takes at most to begin one more isovalue: intervals, scalars, signs as they are and as they become tidy.
+  [[nodiscard]] uint64_t memoryToBegin(const First& first) const {
+    const auto& table = first.signs.table();
+    const uint64_t places = table.total();
+    const bool none = surfaces_.empty();
+    const uint64_t known = bricksSeen(first);
+    uint64_t most = first.signs.brickCount();
+    for (const auto& s : surfaces_) most = std::max<uint64_t>(most, s.signs.brickCount());
+    return (none ? Intervals<D>::memoryOf(places, known) : 0) + Scalars<D>::memoryOf(places, known) + places +
+           2 * Signs<D>::memoryToFill(places, most) + VertexFront<D>::memoryToBegin(table, 2 * most);
   }
-  /// Bytes that stay while a layer is decoded.
-  [[nodiscard]] std::size_t memory() const {
-    std::size_t sum = intervals_.memory();
+  /// The same for scalars that are told of vertices without an interval.
+  [[nodiscard]] uint64_t memoryToTell() const {
+    const auto& active = surfaces_.back().active;
+    uint64_t bricks = 0;
+    for (std::size_t place = 0; place < active.size(); ++place) bricks += active[place] != 0 && !intervals_.has(place) ? 1 : 0;
+    return Scalars<D>::memoryOf(0, bricks) + Intervals<D>::memoryOf(0, bricks);
+  }
+  /// Bytes in use beside the models, while one more brick is made.
+  [[nodiscard]] uint64_t memory() const {
+    uint64_t sum = memoryOfIntervals();
     for (const auto& s : surfaces_) sum += s.signs.memory() + s.scalars.memory() + s.active.size();
     return sum;
   }
+  [[nodiscard]] uint64_t memoryOfIntervals() const { return intervals_.memory(); }
+  /// In how many bricks seenFrom() knows something.
+  [[nodiscard]] std::size_t bricksSeen(const First& first) const { return surfaces_.empty() ? first.scalars.brickCount() : intervals_.brickCount(); }
 
  private:
   void takeOver(const First& first) {

@@ -13,13 +13,25 @@ struct EdgeIndex {
 
 class Tracing {
  public:
-  Tracing(const Surface<2>& surface, const MeshOptions& options, Contours& out)
-      : surface_(surface), signs_(surface.signs), options_(options), out_(out), active_(activeBricks(signs_)), index_(active_.size()) {}
+  static constexpr uint64_t kBytesOfPlace = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
 
-  Error run(uint64_t mostVertices) {
-    forActive([&](std::size_t place) { countEdges(place); });
-    if (points_ > mostVertices) return Error::OverLimit;
+  Tracing(const Surface<2>& surface, const MeshOptions& options, Contours& out)
+      : surface_(surface), signs_(surface.signs), options_(options), out_(out), active_(activeBricks(signs_)), slot_(active_.size()) {}
+
+  Error run(const Limits& limits) {
+    uint32_t bricks = 0;
+    forActive([&](std::size_t place) { slot_[place] = bricks++; });
+    const uint64_t held = kBytesOfPlace * active_.size() + bricks * uint64_t{sizeof(EdgeIndex)};
+    if (held > limits.memory) return Error::OverLimit;
+    index_.resize(bricks);
+    bool within = true;
+    forActive([&](std::size_t place) {
+      if (within) countEdges(place);
+      within = points_ <= std::min(limits.vertices, kMostPoints);
+    });
+    if (!within || held + points_ * kBytesOfPoint > limits.memory) return Error::OverLimit;
     placed_.resize(points_ * 2);
+    out_.points.reserve(points_ * 2);
     next_.assign(points_, kNone);
     begins_.assign(points_, true);
     forActive([&](std::size_t place) { placePoints(place); });
@@ -36,6 +48,9 @@ class Tracing {
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX, kDone = kNone - 1;
+  static constexpr uint64_t kMostPoints = kDone - 3 * power(kBrickSide, 2);  // one more brick's can still be counted
+  /// Of placed_, next_ and begins_; where it comes to lie; the start of a polyline, while starts are moved.
+  static constexpr uint64_t kBytesOfPoint = 4 * sizeof(float) + sizeof(uint32_t) + 1 + 3 * sizeof(uint32_t);
 
   template <class Visit>
   void forActive(Visit visit) const {
@@ -56,8 +71,8 @@ class Tracing {
     window_.load(signs_, brick);
     forEdges([&](unsigned axes, unsigned r) {
       const uint32_t crossed = crossedEdges(window_, Window<2>::kOwnRows[r], r, axes) & edgesInside(signs_.lattice(), brick, r, axes);
-      index_[place].crossed[axes][r] = crossed;
-      index_[place].first[axes][r] = points_;
+      index_[slot_[place]].crossed[axes][r] = crossed;
+      index_[slot_[place]].first[axes][r] = points_;
       points_ += static_cast<uint32_t>(std::popcount(crossed));
     });
   }
@@ -66,8 +81,8 @@ class Tracing {
     const auto brick = signs_.table().brick(place);
     scalars_.load(surface_.scalars, signs_.table(), brick);
     forEdges([&](unsigned axes, unsigned r) {
-      uint32_t id = index_[place].first[axes][r];
-      for (uint32_t open = index_[place].crossed[axes][r]; open != 0; open &= open - 1) {
+      uint32_t id = index_[slot_[place]].first[axes][r];
+      for (uint32_t open = index_[slot_[place]].crossed[axes][r]; open != 0; open &= open - 1) {
         placePoint(EdgeEnds<2>(brick, r, static_cast<unsigned>(std::countr_zero(open)), axes), id++);
       }
     });
@@ -128,7 +143,7 @@ class Tracing {
   [[nodiscard]] uint32_t point(const Coordinates<2>& cell, unsigned a, unsigned b) const {
     const unsigned corner = a & b, axes = a ^ b;
     const int32_t x = cell[0] + static_cast<int32_t>(corner & 1), y = cell[1] + static_cast<int32_t>(corner >> 1);
-    const EdgeIndex& index = index_[signs_.table().place({x / kBrickSide, y / kBrickSide})];
+    const EdgeIndex& index = index_[slot_[signs_.table().place({x / kBrickSide, y / kBrickSide})]];
     const auto row = static_cast<std::size_t>(y % kBrickSide);
     return index.first[axes][row] + static_cast<uint32_t>(std::popcount(index.crossed[axes][row] & ((1u << x % kBrickSide) - 1)));
   }
@@ -150,7 +165,8 @@ class Tracing {
   MeshOptions options_;
   Contours& out_;
   std::vector<uint8_t> active_;
-  std::vector<EdgeIndex> index_;  // by place
+  std::vector<uint32_t> slot_;    // in index_, by place of an active brick
+  std::vector<EdgeIndex> index_;
   Window<2> window_;
   ScalarWindow<2> scalars_;
   uint32_t points_ = 0;
@@ -161,9 +177,10 @@ class Tracing {
 
 }  // namespace
 
-Error polygonize(const Surface<2>& surface, const MeshOptions& options, uint64_t mostVertices, Contours& out) {
+Error polygonize(const Surface<2>& surface, const MeshOptions& options, const Limits& limits, Contours& out) {
   out = {};
-  return Tracing(surface, options, out).run(mostVertices);
+  if (Tracing::kBytesOfPlace * surface.signs.table().total() > limits.memory) return Error::OverLimit;
+  return Tracing(surface, options, out).run(limits);
 }
 
 }  // namespace isostar

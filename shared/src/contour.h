@@ -6,7 +6,7 @@
 
 namespace isostar {
 
-/// OverLimit where the contours would have more points than allowed.
-[[nodiscard]] Error polygonize(const Surface<2>&, const MeshOptions&, uint64_t mostVertices, Contours& out);
+/// OverLimit, and no contours, where they would have more points than allowed, or where it takes more memory to trace them.
+[[nodiscard]] Error polygonize(const Surface<2>&, const MeshOptions&, const Limits&, Contours& out);
 
 }  // namespace isostar

@@ -76,6 +76,7 @@ Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
 struct Decoder::State {
   explicit State(const Limits& l) : limits(l) {}
 
+  void feed(std::span<const std::byte> bytes);
   bool advance();
   bool readHeader();
   bool decodeTorn(const LayerHead& head, std::span<const std::byte> bytes);
@@ -103,6 +104,13 @@ struct Decoder::State {
   double rms = 0;
 };
 
+/// What nobody will look at is not kept.
+void Decoder::State::feed(std::span<const std::byte> bytes) {
+  if (error != Error::None || finished) return;
+  if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
+  in.insert(in.end(), bytes.begin(), bytes.end());
+}
+
 bool Decoder::State::readHeader() {
   Header h;
   std::size_t used = 0;
@@ -114,9 +122,10 @@ bool Decoder::State::readHeader() {
     samples *= static_cast<uint64_t>(n);
     if (samples > limits.samples) return fail(Error::OverLimit);
   }
-  if (h.vertices > limits.vertices) return fail(Error::OverLimit);
+  if (h.vertices > limits.vertices || h.bytes > limits.memory) return fail(Error::OverLimit);
   header = h;
   info = describeHeader(h, used);
+  in.resize(std::min<uint64_t>(in.size(), info.bytes));
   at = used;
   shown = used;
   known = reconstructionOf(*header, limits);
@@ -160,7 +169,7 @@ Decoder::~Decoder() = default;
 Decoder::Decoder(Decoder&&) noexcept = default;
 Decoder& Decoder::operator=(Decoder&&) noexcept = default;
 
-void Decoder::feed(std::span<const std::byte> bytes) { state_->in.insert(state_->in.end(), bytes.begin(), bytes.end()); }
+void Decoder::feed(std::span<const std::byte> bytes) { state_->feed(bytes); }
 void Decoder::finish() { state_->finished = true; }
 bool Decoder::advance() { return state_->advance(); }
 Error Decoder::error() const { return state_->error; }

@@ -17,7 +17,7 @@ class TruthExchange {
   TruthExchange(Coder& coder, const Signs<D>& truth, const Field& field) : coder_(coder), truth_(truth), field_(field) {}
 
   Coder& coder() { return coder_; }
-  [[nodiscard]] bool spent(std::size_t = 0) const { return false; }
+  [[nodiscard]] bool spent(uint64_t = 0) const { return false; }
 
   /// The true signs of a row of a brick, bit x is vertex x.
   [[nodiscard]] uint32_t row(std::size_t place, std::size_t r) const { return truth_.brickAt(place).rows[r]; }
@@ -58,11 +58,11 @@ template <int D>
 class BlindExchange {
  public:
   /// Stops after `slack` bytes past the end, or when the state in work takes more than `budget` bytes.
-  BlindExchange(RangeDecoder& coder, std::size_t slack, std::size_t budget) : coder_(coder), slack_(slack), budget_(budget) {}
+  BlindExchange(RangeDecoder& coder, std::size_t slack, uint64_t budget) : coder_(coder), slack_(slack), budget_(budget) {}
 
   RangeDecoder& coder() { return coder_; }
   /// Are the bytes or the budget used up? What would be decoded from here on is noise.
-  [[nodiscard]] bool spent(std::size_t memory = 0) {
+  [[nodiscard]] bool spent(uint64_t memory = 0) {
     overBudget_ = overBudget_ || memory > budget_;
     return overBudget_ || coder_.overrun() > slack_;
   }
@@ -79,7 +79,8 @@ class BlindExchange {
 
  private:
   RangeDecoder& coder_;
-  std::size_t slack_, budget_;
+  std::size_t slack_;
+  uint64_t budget_;
   bool overBudget_ = false;
 };
 

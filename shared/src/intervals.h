@@ -56,7 +56,12 @@ class Intervals {
     }
   }
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] std::size_t memory() const { return at_.size() * sizeof(uint32_t) + (bricks_.size() + 1) * sizeof(Brick); }
+  [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
+  /// With so many bricks, while one more is made.
+  [[nodiscard]] static uint64_t memoryOf(uint64_t places, uint64_t bricks) {
+    return places * sizeof(uint32_t) + (bricks + 2) * (sizeof(Brick) + Scalars<D>::kLink);
+  }
+  [[nodiscard]] std::size_t brickCount() const { return bricks_.size(); }
 
  private:
   static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing

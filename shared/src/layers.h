@@ -79,9 +79,11 @@ struct Knowledge {
 
   template <class Exchange>
   void refine(Exchange& ask) {
-    signs = refined(signs);
+    Signs<D> finer = refined(signs);
+    for (int dimension = D; dimension >= 1; --dimension) refinement.bisect(ask, finer, dimension);
+    if (ask.spent()) return;  // the octave stays as it was
+    signs = std::move(finer);
     ++level;
-    for (int dimension = D; dimension >= 1; --dimension) refinement.bisect(ask, signs, dimension);
   }
 
   template <class Exchange>
@@ -113,6 +115,22 @@ struct Knowledge {
   }
 
   [[nodiscard]] typename CloseBy<D>::First first() const { return {header.isovalue, signs, scalars}; }
+
+  /// Bytes in use beside the models, while one more brick is made.
+  [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
+  [[nodiscard]] uint64_t memoryBesideScalars() const { return signs.memory() + refinement.memory() + active.capacity(); }
+  /// What it takes to begin the first geometry layer, or to go on.
+  [[nodiscard]] uint64_t memoryForScalars() const {
+    const std::size_t places = signs.table().total();
+    return active.empty() ? memory() + places + Scalars<D>::memoryOf(places, 1) : memory();
+  }
+  /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
+  [[nodiscard]] uint64_t memoryToRefine() const {
+    const BrickTable<D> finer(signs.lattice().finer());
+    uint64_t bricks = uint64_t{signs.brickCount()} << D;
+    for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
+    return memoryBesideScalars() + finer.total() + Signs<D>::memoryToFill(finer.total(), bricks);
+  }
 
   const Header& header;
   Signs<D> signs;

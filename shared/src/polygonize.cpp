@@ -9,6 +9,8 @@
 namespace isostar {
 namespace {
 
+constexpr Limits kUnlimited{UINT64_MAX, UINT64_MAX, UINT64_MAX};  // the caller's own samples
+
 /// Calls make(surface) with the exact scalars of a source.
 template <int D, class Make>
 Error withSource(std::span<const float> samples, Header header, double isovalue, Polygonizer polygonizer, Make make) {
@@ -43,19 +45,19 @@ Error withSource(std::span<const float> samples, Header header, double isovalue,
 
 Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
   return withSource<3>(volume.samples, headerOf(volume), isovalue, options.polygonizer,
-                       [&](const Surface<3>& surface) { return polygonize(surface, options, UINT32_MAX, out); });
+                       [&](const Surface<3>& surface) { return polygonize(surface, options, kUnlimited, out); });
 }
 
 Error polygonize(const Image& image, double isovalue, const MeshOptions& options, Contours& out) {
   return withSource<2>(image.samples, headerOf(image), isovalue, options.polygonizer,
-                       [&](const Surface<2>& surface) { return polygonize(surface, options, UINT32_MAX, out); });
+                       [&](const Surface<2>& surface) { return polygonize(surface, options, kUnlimited, out); });
 }
 
 Error polygonize(const Sequence& sequence, double isovalue, const MeshOptions& options, Mesh& out) {
   if (!(options.time >= 0 && options.time <= sequence.frames - 1)) return Error::BadArgument;
   return withSource<4>(sequence.samples, headerOf(sequence), isovalue, options.polygonizer, [&](const Surface<4>& surface) {
     const TimeSlice slice = sliceAt(surface, options.time);
-    return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset, slice.negativeOffset, surface.placement}, options, UINT32_MAX, out);
+    return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset, slice.negativeOffset, surface.placement}, options, kUnlimited, out);
   });
 }
 

@@ -53,32 +53,37 @@ class Frames {
 
 class Polygonization {
  public:
-  Polygonization(const Surface<3>& surface, const MeshOptions& options, Mesh& out)
+  static constexpr uint64_t kBytesOfPlace = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+
+  Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out)
       : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
-        out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
+        limits_(limits), out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
     for (unsigned parity = 0; parity < 8; ++parity) tables_[parity] = &cellTable(options.polygonizer, parity);
   }
 
-  Error run(uint64_t mostVertices) {
+  Error run() {
     uint32_t bricks = 0;
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) slot_[place] = bricks++;
     }
+    held_ = kBytesOfPlace * active_.size() + bricks * (sets() * sizeof(EdgeIndex) + sizeof(Window<3>));
+    if (held_ > limits_.memory) return Error::OverLimit;
     index_.resize(bricks * sets());
     windows_.resize(bricks);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] == 0) continue;
       countEdges(place);
-      if (vertices_ > mostVertices) return Error::OverLimit;
+      if (vertices_ > std::min(limits_.vertices, kMostVertices)) return Error::OverLimit;
     }
+    held_ += vertices_ * (options_.normals ? 6 : 3) * sizeof(float);
+    if (!makeRoom(vertices_ * 6 + kMostOfRow)) return Error::OverLimit;
     out_.positions.resize(vertices_ * 3);
     if (options_.normals) out_.normals.resize(vertices_ * 3);
-    out_.triangles.resize(vertices_ * 6 + 64);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) placeVertices(place);
     }
     for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] != 0) cutCells(place);
+      if (active_[place] != 0 && !cutCells(place)) return Error::OverLimit;
     }
     out_.triangles.resize(corners_);
     return Error::None;
@@ -86,6 +91,8 @@ class Polygonization {
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
+  static constexpr uint64_t kMostVertices = UINT32_MAX - 7 * power(kBrickSide, 3);  // one more brick's can still be counted
+  static constexpr std::size_t kMostOfRow = kBrickSide * CellCase::kMostTriangles * 3;
   using Bits = uint32_t;
 
   [[nodiscard]] unsigned lastAxes() const { return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u; }
@@ -183,7 +190,17 @@ class Polygonization {
     at[2] = static_cast<float>(v.z);
   }
 
-  void cutCells(std::size_t place) {
+  /// Room for so many corners of triangles; false where the limit has none. Not by resize() alone, which may double it.
+  bool makeRoom(std::size_t corners) {
+    const std::size_t before = out_.triangles.capacity();
+    if (corners > before && held_ + (uint64_t{before} + corners) * sizeof(uint32_t) > limits_.memory) return false;
+    out_.triangles.reserve(corners);
+    out_.triangles.resize(corners);
+    return true;
+  }
+
+  /// False where the limit has no room for the triangles.
+  bool cutCells(std::size_t place) {
     const auto brick = signs_.table().brick(place);
     const Window<3>& window = windows_[slot_[place]];
     std::array<const EdgeIndex*, 8> near{};
@@ -208,8 +225,7 @@ class Polygonization {
       Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inside;
       if (open == 0) continue;
       const EdgeRows rows = edgeRows(near, r);
-      constexpr std::size_t kMostOfRow = kBrickSide * CellCase::kMostTriangles * 3;
-      if (out_.triangles.size() - corners_ < kMostOfRow) out_.triangles.resize(corners_ + corners_ / 8 + kMostOfRow);
+      if (out_.triangles.size() - corners_ < kMostOfRow && !makeRoom(corners_ + corners_ / 8 + kMostOfRow)) return false;
       for (; open != 0; open &= open - 1) {
         const auto x = static_cast<unsigned>(std::countr_zero(open));
         const unsigned at = x + Window<3>::kHalo;
@@ -217,6 +233,7 @@ class Polygonization {
         cutCell(rows, signs, x, r);
       }
     }
+    return true;
   }
 
   /// A row of edges that cells of a row need: by corner on axes 1 and 2, then whether it lies in the next brick on axis 0.
@@ -260,6 +277,8 @@ class Polygonization {
   Frames frames_;
   bool mirrors_ = frames_.mirrors();
   std::array<const CellTable*, 8> tables_{};
+  Limits limits_;
+  uint64_t held_ = 0;  // bytes in use but for those of triangles
   Mesh& out_;
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
@@ -273,9 +292,12 @@ class Polygonization {
 
 }  // namespace
 
-Error polygonize(const Surface<3>& surface, const MeshOptions& options, uint64_t mostVertices, Mesh& out) {
+Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out) {
   out = {};
-  return Polygonization(surface, options, out).run(mostVertices);
+  if (Polygonization::kBytesOfPlace * surface.signs.table().total() > limits.memory) return Error::OverLimit;
+  const Error error = Polygonization(surface, options, limits, out).run();
+  if (error != Error::None) out = {};
+  return error;
 }
 
 }  // namespace isostar

@@ -6,7 +6,7 @@
 
 namespace isostar {
 
-/// OverLimit where the mesh would have more vertices than allowed.
-[[nodiscard]] Error polygonize(const Surface<3>&, const MeshOptions&, uint64_t mostVertices, Mesh& out);
+/// OverLimit, and no mesh, where it would have more vertices than allowed, or where it takes more memory to make it.
+[[nodiscard]] Error polygonize(const Surface<3>&, const MeshOptions&, const Limits&, Mesh& out);
 
 }  // namespace isostar

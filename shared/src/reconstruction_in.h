@@ -24,7 +24,6 @@ class ReconstructionIn : public Reconstruction {
     GeometryPass<D> pass;
     pass.kind = head.kind;
     const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving || head.kind == LayerKind::NearGeometry;
-    torn_ = torn;
     if (torn && !geometry) return {};  // an octave shows only as a whole
     if (geometry) {
       ByteReader fields(bytes);
@@ -34,12 +33,10 @@ class ReconstructionIn : public Reconstruction {
       if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
       bytes = bytes.subspan(fields.position());
     }
-    if (head.kind == LayerKind::Refinement && memoryToRefine() > limits_.memory) return {Error::OverLimit};
-    std::size_t settled = geometry ? known_.signs.memory() : 0;
-    if (isNear(head.kind)) settled += known_.scalars.memory() + known_.near.memory();
-    if (head.kind == LayerKind::NearSigns && settled + known_.near.memoryToBegin(known_.first()) > limits_.memory) return {Error::OverLimit};
+    const Memory memory = memoryFor(head.kind, pass.kind);
+    if (memory.needed > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(bytes);
-    BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, limits_.memory - std::min<std::size_t>(settled, limits_.memory));
+    BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, left(memory.settled).memory);
     if (head.kind == LayerKind::NearSigns) {
       known_.nearSigns(ask, head.level);
     } else if (head.kind == LayerKind::NearGeometry) {
@@ -52,9 +49,9 @@ class ReconstructionIn : public Reconstruction {
     } else {
       known_.refine(ask);
     }
-    if (ask.overBudget()) return {Error::OverLimit};
-    if (!torn && ask.spent()) return {Error::Corrupt};
-    return {Error::None, true};
+    const Error error = ask.overBudget() ? Error::OverLimit : !torn && ask.spent() ? Error::Corrupt : Error::None;
+    torn_ = torn || error != Error::None;
+    return {error, error == Error::None};
   }
 
   [[nodiscard]] int level() const override { return based_ ? known_.level : -1; }
@@ -68,13 +65,15 @@ class ReconstructionIn : public Reconstruction {
         if (!(options.time >= 0 && options.time <= header_.size[3] - 1)) return Error::BadArgument;
       }
       if (!based_) return Error::None;
-      return withSurface(options, [&](const Surface<D>& surface) {
+      return withSurface(options, [&](const Surface<D>& surface, uint64_t held) {
         if constexpr (D == 3) {
-          return polygonize(surface, options, limits_.vertices, out);
+          return polygonize(surface, options, left(held), out);
         } else {
+          held += memoryToSlice(surface);
+          if (held > limits_.memory) return Error::OverLimit;
           const TimeSlice slice = sliceAt(surface, options.time);
-          return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset, slice.negativeOffset, header_.placement}, options,
-                            limits_.vertices, out);
+          return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset, slice.negativeOffset, header_.placement}, options, left(held),
+                            out);
         }
       });
     }
@@ -84,7 +83,7 @@ class ReconstructionIn : public Reconstruction {
     out = {};
     if constexpr (D == 2) {
       if (!based_) return Error::None;
-      return withSurface(options, [&](const Surface<2>& surface) { return polygonize(surface, options, limits_.vertices, out); });
+      return withSurface(options, [&](const Surface<2>& surface, uint64_t held) { return polygonize(surface, options, left(held), out); });
     } else {
       return Error::BadArgument;
     }
@@ -103,10 +102,19 @@ class ReconstructionIn : public Reconstruction {
     return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == octaves;
   }
 
-  /// What it takes at most to begin the next octave: both octaves' tables, a mark for each place, 2^D bricks for one.
-  [[nodiscard]] std::size_t memoryToRefine() const {
-    const std::size_t places = BrickTable<D>(known_.signs.lattice().finer()).total();
-    return known_.signs.memory() + places * (sizeof(uint32_t) + 1) + (std::size_t{known_.signs.brickCount()} << D) * sizeof(Brick<D>);
+  /// What is left of the limits where so many bytes are held.
+  [[nodiscard]] Limits left(uint64_t held) const { return {limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory)}; }
+
+  /// What a layer takes at most to begin with, and what stays as it is while it is decoded.
+  struct Memory {
+    uint64_t needed, settled;
+  };
+  [[nodiscard]] Memory memoryFor(LayerKind layer, LayerKind pass) const {
+    const uint64_t all = known_.memory() + known_.near.memory();
+    if (layer == LayerKind::Refinement) return {known_.memoryToRefine(), known_.memoryBesideScalars()};
+    if (layer == LayerKind::NearSigns) return {all + known_.near.memoryToBegin(known_.first()), all - known_.near.memoryOfIntervals() + known_.signs.table().total()};
+    if (layer == LayerKind::NearGeometry) return {all + (pass == LayerKind::Octaves ? known_.near.memoryToTell() : 0), 0};
+    return {known_.memoryForScalars(), known_.memoryBesideScalars()};
   }
 
   /// What is known of the surface of one isovalue that has been told.
@@ -117,35 +125,62 @@ class ReconstructionIn : public Reconstruction {
     const std::array<bool, 2>& told;
   };
 
-  /// Calls make(surface) with the surface of the isovalue that is asked for: as it was told, or between those that were.
+  /// Calls make(surface, bytes held) with the surface of the isovalue that is asked for: as it was told, or between those that were.
   template <class Make>
   Error withSurface(const MeshOptions& options, Make make) const {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
+    const uint64_t held = known_.memory() + known_.near.memory();
     if (const NearSurface<D>* near = known_.near.find(isovalue)) {
-      return withCompleted({near->signs, near->active, near->scalars, near->told}, header_.at(isovalue), options, make);
+      return withCompleted({near->signs, near->active, near->scalars, near->told}, header_.at(isovalue), options, held, make);
     }
-    if (isovalue == header_.isovalue || known_.active.empty()) {
-      const auto active = known_.active.empty() ? activeBricks(known_.signs) : known_.active;
-      return withCompleted({known_.signs, active, known_.active.empty() ? Scalars<D>(active.size()) : known_.scalars, known_.told}, header_, options, make);
-    }
+    if (known_.active.empty()) return withEstimated(options, held, make);
+    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told}, header_, options, held, make);
+    return withBetween(isovalue, options, held, make);
+  }
+
+  /// Before any scalars have been told.
+  template <class Make>
+  Error withEstimated(const MeshOptions& options, uint64_t held, Make make) const {
+    const std::size_t places = known_.signs.table().total();
+    held += places + Scalars<D>::memoryOf(places, 0);
+    if (held > limits_.memory) return Error::OverLimit;
+    const auto active = activeBricks(known_.signs);
+    return withCompleted({known_.signs, active, Scalars<D>(places), known_.told}, header_, options, held, make);
+  }
+
+  template <class Make>
+  Error withBetween(double isovalue, const MeshOptions& options, uint64_t held, Make make) const {
+    if (held + Between<D>::memoryToMake(known_.near, known_.first(), isovalue) > limits_.memory) return Error::OverLimit;
     const double quanta = (isovalue - header_.isovalue) / header_.quantum;
     Between<D> between(known_.near, known_.first(), isovalue, quanta, header_.positiveOffset);
+    held += between.memory();
+    const uint64_t completed = memoryCompleted(between.scalars(), between.active());
+    if (held + 2 * completed > limits_.memory) return Error::OverLimit;
     estimate(between.signs(), between.active(), options, between.finer(), between.scalars());
-    return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement});
+    return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement}, held + completed);
   }
 
   /// With scalars for all vertices that the polygonizer needs, told or estimated.
   template <class Make>
-  Error withCompleted(const Known& known, const Header& header, const MeshOptions& options, Make make) const {
+  Error withCompleted(const Known& known, const Header& header, const MeshOptions& options, uint64_t held, Make make) const {
     const double positive = 2 * header.positiveOffset - 1, negative = 2 * header.negativeOffset - 1;
     if (!torn_ && known.told[0] && (known.told[1] || options.polygonizer == Polygonizer::Cubes)) {
-      return make(Surface<D>{known.signs, known.scalars, positive, negative, header_.placement});
+      return make(Surface<D>{known.signs, known.scalars, positive, negative, header_.placement}, held);
     }
+    const uint64_t completed = memoryCompleted(known.scalars, known.active);
+    if (held + 2 * completed > limits_.memory) return Error::OverLimit;
     Scalars<D> scalars = known.scalars;
     const int finer = scalars.magnify();
     const double scale = 1 << finer;
     estimate(known.signs, known.active, options, finer, scalars);
-    return make(Surface<D>{known.signs, scalars, positive * scale, negative * scale, header_.placement});
+    return make(Surface<D>{known.signs, scalars, positive * scale, negative * scale, header_.placement}, held + completed);
+  }
+
+  /// Of scalars with estimates in all active bricks; while they are made, those before are kept, too.
+  [[nodiscard]] static uint64_t memoryCompleted(const Scalars<D>& scalars, const std::vector<uint8_t>& active) {
+    uint64_t bricks = 0;
+    for (std::size_t place = 0; place < active.size(); ++place) bricks += active[place] != 0 || scalars.has(place) ? 1 : 0;
+    return Scalars<D>::memoryOf(active.size(), bricks);
   }
 
   static void estimate(const Signs<D>& signs, const std::vector<uint8_t>& active, const MeshOptions& options, int finer, Scalars<D>& scalars) {

@@ -39,15 +39,18 @@ class RefinementCoder {
       const auto near = activeBricks(*absent);
       for (std::size_t place = 0; place < near.size(); ++place) active_[place] |= near[place];
     }
-    for (std::size_t first = 0; first < active_.size() && !ask.spent(signs.memory()); first += kGroup) {
+    for (std::size_t first = 0; first < active_.size() && !ask.spent(signs.memory() + memory()); first += kGroup) {
       quietGroup(ask, signs, dimension, first, std::min(first + kGroup, active_.size()));
     }
-    for (std::size_t place = 0; place < active_.size() && !ask.spent(signs.memory()); ++place) {
+    for (std::size_t place = 0; place < active_.size() && !ask.spent(signs.memory() + memory()); ++place) {
       if (active_[place] != 0) brick(ask, signs, place, dimension);
     }
     for (const std::size_t place : changedPlaces_) activateAround(signs, place, active_);
     changedPlaces_.clear();
   }
+
+  /// Bytes in use beside the models, while one more place changes.
+  [[nodiscard]] uint64_t memory() const { return active_.capacity() + memoryToGrow(changedPlaces_); }
 
  private:
   static constexpr int kInputs = 3;
@@ -87,7 +90,7 @@ class RefinementCoder {
       any = any || differs(ask, signs, place, dimension);
     }
     if (!quiet || !groupFlag_[dimension].bit(ask.coder(), any)) return;
-    for (std::size_t place = first; place < end && !ask.spent(signs.memory()); ++place) {
+    for (std::size_t place = first; place < end && !ask.spent(signs.memory() + memory()); ++place) {
       if (active_[place] != 0 || !quietFlag_[dimension].bit(ask.coder(), differs(ask, signs, place, dimension))) continue;
       enter(signs, place, dimension);
       tellExceptions(ask, place, 0);

@@ -20,6 +20,7 @@ class Scalars {
  public:
   static constexpr std::size_t kVertices = power(kBrickSide, D);
   static constexpr int32_t kUnknown = INT32_MIN;
+  static constexpr uint64_t kLink = 4 * sizeof(void*);  // by which a deque finds a brick, while its links are moved
 
   struct Brick {
     /// Twice the middle of what is possible (of [n, n + 1): 2 n + 1), negative at negative vertices. Its lowest bit that
@@ -71,8 +72,11 @@ class Scalars {
     }
     return finer;
   }
+  [[nodiscard]] std::size_t brickCount() const { return bricks_.size(); }
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] std::size_t memory() const { return at_.size() * 5 + (bricks_.size() + 1) * sizeof(Brick); }
+  [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
+  /// With so many bricks that know something, while one more is made.
+  [[nodiscard]] static uint64_t memoryOf(uint64_t places, uint64_t bricks) { return places * 5 + (bricks + 2) * (sizeof(Brick) + kLink); }
 
  private:
   static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing

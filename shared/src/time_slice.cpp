@@ -110,4 +110,9 @@ TimeSlice sliceAt(const Surface<4>& surface, double time) {
   return slice;
 }
 
+uint64_t memoryToSlice(const Surface<4>& surface) {
+  const uint64_t places = surface.signs.table().stride(3), known = surface.scalars.brickCount();
+  return Signs<3>::memoryToFill(places, surface.signs.brickCount() + known) + Scalars<3>::memoryOf(places, std::min(places, known));
+}
+
 }  // namespace isostar

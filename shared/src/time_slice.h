@@ -16,4 +16,7 @@ struct TimeSlice {
 /// known, both have the same sign, and it stands for the other.
 [[nodiscard]] TimeSlice sliceAt(const Surface<4>& surface, double time);
 
+/// Bytes that a slice takes at most, at any time.
+[[nodiscard]] uint64_t memoryToSlice(const Surface<4>& surface);
+
 }  // namespace isostar

@@ -37,7 +37,15 @@ class VertexFront {
   [[nodiscard]] std::size_t places() const { return signs_->table().total(); }
   [[nodiscard]] bool open(std::size_t place) const { return open_.index(place) != Signs<D>::kNegative; }
   [[nodiscard]] uint32_t openRow(std::size_t place, std::size_t r) const { return open_.brickAt(place).rows[r]; }
-  [[nodiscard]] std::size_t memory() const { return open_.memory() + places() * (1 + sizeof(std::size_t)); }
+  /// Bytes in use, while one more brick is made, or while the signs become tidy.
+  [[nodiscard]] uint64_t memory() const {
+    return open_.memory() + places() * kBytesOfPlace + Signs<D>::memoryToFill(places(), signs_->brickCount());
+  }
+  /// Bytes that it takes at most to begin between signs with so many bricks.
+  [[nodiscard]] static uint64_t memoryToBegin(const BrickTable<D>& table, uint64_t bricks) {
+    for (int a = 0; a < D; ++a) bricks += table.total() / static_cast<std::size_t>(table.count(a));  // the lattice's end
+    return table.total() * kBytesOfPlace + Signs<D>::memoryToFill(table.total(), bricks);
+  }
 
   /// Closes a vertex of a brick with a sign; that of the entered one shows at once.
   [[gnu::noinline]] void close(std::size_t place, std::size_t r, int x, bool positive) {
@@ -77,6 +85,7 @@ class VertexFront {
     Signs<D> tidy(signs_->lattice());
     for (std::size_t place = 0; place < places(); ++place) tidy.put(place, signs_->brickAt(place));
     *signs_ = std::move(tidy);
+    *this = VertexFront();
   }
 
   /// Of the entered brick.
@@ -98,6 +107,8 @@ class VertexFront {
   }
 
  private:
+  static constexpr uint64_t kBytesOfPlace = 1 + sizeof(std::size_t);  // queued, and in the queue
+
   /// The vertices of a row of a brick that the lattice has.
   static uint8_t inside(const Lattice<D>& lattice, const Coordinates<D>& at, std::size_t r) {
     for (int a = 1; a < D; ++a, r /= kBrickSide) {

@@ -1,0 +1,91 @@
+// Limits.memory is kept: what decoders and surfaces take, measured, against what was allowed.
+#include "allocation.h"
+#include "property/round_trip.h"
+#include "property/sampled_image.h"
+
+namespace isostar {
+namespace {
+
+/// What a decoder takes beside what is counted: its models, by dimension, and the header's description.
+constexpr std::array<std::size_t, 5> kUncounted{0, 0, 1u << 20, 2u << 20, 4u << 20};
+
+struct Spent {
+  std::size_t peak = 0;
+  bool overLimit = false;
+};
+
+/// Decodes all, and makes what there is to see after each layer.
+Spent spentOn(const Bytes& bytes, std::size_t memory) {
+  const Allocation allocation;
+  Spent spent;
+  Decoder decoder({uint64_t{1} << 31, uint64_t{1} << 26, memory});
+  decoder.feed(bytes);
+  decoder.finish();
+  while (decoder.advance()) {
+    for (const Polygonizer polygonizer : kPolygonizers) {
+      for (const double time : {0.0, 0.5}) {
+        if (time > decoder.info().frames - 1) continue;
+        MeshOptions options;
+        options.polygonizer = polygonizer;
+        options.time = time;
+        Mesh mesh;
+        Contours contours;
+        const bool image = decoder.info().dimension == 2;
+        const Error error = image ? decoder.contours(options, contours) : decoder.mesh(options, mesh);
+        EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+        spent.overLimit = spent.overLimit || error == Error::OverLimit;
+      }
+    }
+  }
+  EXPECT_TRUE(decoder.error() == Error::None || decoder.error() == Error::OverLimit) << name(decoder.error());
+  spent.overLimit = spent.overLimit || decoder.error() == Error::OverLimit;
+  spent.peak = allocation.peak();
+  return spent;
+}
+
+void expectWithin(const Bytes& bytes, int dimension) {
+  const std::size_t beside = kUncounted[static_cast<std::size_t>(dimension)] + bytes.size();
+  const Spent free = spentOn(bytes, SIZE_MAX);
+  EXPECT_FALSE(free.overLimit);
+  for (std::size_t memory = free.peak / 40; memory < free.peak; memory += memory / 2 + memory / 3) {
+    const Spent spent = spentOn(bytes, memory);
+    EXPECT_LE(spent.peak, memory + beside) << memory << " bytes allowed; " << free.peak << " would be used";
+    EXPECT_TRUE(spent.overLimit || memory + beside >= free.peak) << memory;
+  }
+  // What must be counted beforehand is at most this much more than what is used.
+  EXPECT_FALSE(spentOn(bytes, 2 * free.peak).overLimit) << free.peak;
+}
+
+TEST(HostileMemory, volumes) {
+  EncodeOptions options;
+  options.lossless = true;
+  const Size cube{50, 61, 57}, flat{300, 3, 250};
+  for (const auto& field : {sampled("gyroid", cube, gyroid()), sampled("sphere", cube, sphere(cube)), sampled("noise", {30, 24, 28}, noise()),
+                            sampled("flat", flat, gyroid())}) {
+    SCOPED_TRACE(described(field));
+    expectWithin(encoded(field, options), 3);
+    options.polygonizer = Polygonizer::Tetrahedra;
+  }
+}
+
+TEST(HostileMemory, images) {
+  for (const SampledImage& image : imagesOf({500, 400})) {
+    SCOPED_TRACE(image.name);
+    expectWithin(encoded(image), 2);
+  }
+}
+
+TEST(HostileMemory, sequences) {
+  const Size size{25, 19, 30};
+  std::vector<float> samples;
+  for (int t = 0; t < 12; ++t) {
+    const SampledField frame = sampled("frame", size, [=](double x, double y, double z) { return gyroid(13)(x + t, y, z - 0.3 * t); });
+    samples.insert(samples.end(), frame.samples.begin(), frame.samples.end());
+  }
+  Bytes bytes;
+  ASSERT_EQ(encode(Sequence{samples, size, 12, {}}, {}, bytes), Error::None);
+  expectWithin(bytes, 4);
+}
+
+}  // namespace
+}  // namespace isostar
