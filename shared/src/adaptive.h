@@ -1,6 +1,9 @@
 // An adaptive mesh of the RBMT and the field on it (§4.3, §5.1, §5.2): octave by octave, for both directions.
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "base_coder.h"
 #include "completion.h"
 #include "halving_coder.h"
@@ -17,6 +20,9 @@ struct AdaptiveOctave {
   Signs<D> signs;
   Scalars<D> scalars;  // told, taken over from the coarser octave, or interpolated
   std::vector<uint8_t> active;
+
+  /// Bytes in use, while one more brick is made.
+  [[nodiscard]] uint64_t memory() const { return signs.memory() + scalars.memory() + active.size(); }
 };
 
 /// An adaptive mesh is one of whole octaves with absent vertices: a crossing cell that is kept whole has none of the
@@ -34,13 +40,24 @@ class AdaptiveMesh {
   [[nodiscard]] const Lattice<D>& lattice() const { return signs_.back().lattice(); }
   [[nodiscard]] const AdaptiveOctave<D>& octave(int level) const { return octaves_[static_cast<std::size_t>(level)]; }
   [[nodiscard]] const Signs<D>& absent(int level) const { return absent_[static_cast<std::size_t>(level)]; }
-  [[nodiscard]] std::size_t memory() const {
-    std::size_t sum = 0;
+  /// Bytes in use beside the models, while one more brick is made.
+  [[nodiscard]] uint64_t memory() const {
+    uint64_t sum = refinement_.memory();
     for (const auto& s : signs_) sum += s.memory();
     for (const auto& s : absent_) sum += s.memory();
-    for (const auto& o : octaves_) sum += o.signs.memory() + o.scalars.memory() + o.active.size();
+    for (const auto& o : octaves_) sum += o.memory();
     return sum;
   }
+  /// What it takes at most, on top of that, to begin the next octave's mesh.
+  [[nodiscard]] uint64_t memoryToRefine() const {
+    const BrickTable<D> finer(lattice().finer());
+    const uint64_t places = finer.total();
+    uint64_t bricks = uint64_t{signs_.back().brickCount()} << D;
+    for (int a = 0; a < D; ++a) bricks += places / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
+    return 2 * places + Signs<D>::memoryToFill(places, bricks) + Signs<D>::memoryToFill(places, uint64_t{absent_.back().brickCount()} << D);
+  }
+  /// The same for the next octave's scalars.
+  [[nodiscard]] uint64_t memoryToTell() const { return told() > level() ? 0 : memoryForNext(octaves_.empty() ? nullptr : &octaves_.back(), told()); }
 
   template <class Exchange>
   void base(Exchange& ask) {
@@ -52,6 +69,7 @@ class AdaptiveMesh {
   void refine(Exchange& ask) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
     for (int dimension = D; dimension >= 1; --dimension) refinement_.bisect(ask, fine, dimension, &absent);
+    if (ask.spent()) return;  // the octave stays as it was
     signs_.push_back(std::move(fine));
     absent_.push_back(std::move(absent));
   }
@@ -74,11 +92,16 @@ class AdaptiveMesh {
     halvingCoder_.tell(ask, octave.signs, octave.scalars, pass, octave.active);
   }
 
-  /// The octave as it is known, with estimates where nothing has been told yet.
-  [[nodiscard]] AdaptiveOctave<D> shown(int level) const {
+  /// The octave as it is known, with estimates where nothing has been told yet; nothing if that takes more bytes than given.
+  [[nodiscard]] std::optional<AdaptiveOctave<D>> shown(int level, uint64_t memory = UINT64_MAX) const {
     AdaptiveOctave<D> octave;
     for (int o = std::max(told() - 1, 0); o <= level; ++o) {
+      const uint64_t made = o < told() ? octaves_[static_cast<std::size_t>(o)].memory() : memoryForNext(o == 0 ? nullptr : &octave, o);
+      if (octave.memory() + made > memory) return std::nullopt;
       octave = o < told() ? octaves_[static_cast<std::size_t>(o)] : next(o == 0 ? nullptr : &octave, o);
+      // Those known are copied while the others are estimated.
+      const auto bricks = octave.scalars.brickCount() + static_cast<std::size_t>(std::count(octave.active.begin(), octave.active.end(), 1));
+      if (octave.memory() + 2 * Scalars<D>::memoryOf(octave.active.size(), bricks) > memory) return std::nullopt;
       for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, 0, octave.scalars);
     }
     return octave;
@@ -154,6 +177,14 @@ class AdaptiveMesh {
       for (; a < D && ++w[a] > high[a]; ++a) w[a] = low[a];
       if (a == D) return false;
     }
+  }
+
+  /// Bytes that next() takes at most.
+  [[nodiscard]] uint64_t memoryForNext(const AdaptiveOctave<D>* coarser, int level) const {
+    const auto& signs = signs_[static_cast<std::size_t>(level)];
+    const uint64_t places = signs.table().total(), absentBricks = absent(level).brickCount();
+    const uint64_t taken = coarser == nullptr ? 0 : (uint64_t{coarser->scalars.brickCount()} << D) + absentBricks;
+    return places + Signs<D>::memoryToFill(places, signs.brickCount() + absentBricks) + Scalars<D>::memoryOf(places, std::min(places, taken));
   }
 
   /// An octave before its own scalars are told: from the coarser one, if there is one.

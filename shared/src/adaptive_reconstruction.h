@@ -29,9 +29,11 @@ class AdaptiveReconstruction : public Reconstruction {
       if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
       bytes = bytes.subspan(fields.position());
     }
-    if (mesh_.memory() + memoryOfNext() > limits_.memory) return {Error::OverLimit};
+    const uint64_t next = head.kind == LayerKind::Refinement ? mesh_.memoryToRefine() : head.kind == LayerKind::Octaves ? mesh_.memoryToTell() : 0;
+    const uint64_t held = mesh_.memory();
+    if (held + next > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(bytes);
-    BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, limits_.memory - mesh_.memory());
+    BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, limits_.memory - held - (head.kind == LayerKind::Octaves ? next : 0));
     tell(ask, head.kind, pass);
     if (ask.overBudget()) return {Error::OverLimit};
     if (!torn && ask.spent()) return {Error::Corrupt};
@@ -74,20 +76,17 @@ class AdaptiveReconstruction : public Reconstruction {
     }
   }
 
-  /// What it takes at most to begin the next octave: tables of signs and absent vertices, eight bricks for one of each.
-  [[nodiscard]] std::size_t memoryOfNext() const {
-    const bool last = mesh_.level() == header_.octaves();
-    const std::size_t places = BrickTable<D>(last ? mesh_.lattice() : mesh_.lattice().finer()).total();
-    return places * 16 + (mesh_.memory() << D);
-  }
-
   template <class Out>
   Error make(const MeshOptions& options, Out& out) const {
     if (options.isovalue && *options.isovalue != header_.isovalue) return Error::BadArgument;
     if (!based_) return Error::None;
-    const auto octave = mesh_.shown(mesh_.level());
+    uint64_t held = mesh_.memory();
+    const auto octave = mesh_.shown(mesh_.level(), limits_.memory - std::min(held, limits_.memory));
+    if (!octave) return Error::OverLimit;
+    held += octave->memory();
     const double offset = 2 * header_.positiveOffset - 1;
-    return polygonize(Surface<D>{octave.signs, octave.scalars, offset, offset, header_.placement}, options, limits_.vertices, out);
+    const Limits left{limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory)};
+    return polygonize(Surface<D>{octave->signs, octave->scalars, offset, offset, header_.placement}, options, left, out);
   }
 
   const Header& header_;

@@ -108,7 +108,8 @@ struct Decoder::State {
 void Decoder::State::feed(std::span<const std::byte> bytes) {
   if (error != Error::None || finished) return;
   if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
-  in.insert(in.end(), bytes.begin(), bytes.end());
+  if (bytes.size() > limits.memory - in.size()) fail(Error::OverLimit);
+  else in.insert(in.end(), bytes.begin(), bytes.end());
 }
 
 bool Decoder::State::readHeader() {
@@ -122,7 +123,7 @@ bool Decoder::State::readHeader() {
     samples *= static_cast<uint64_t>(n);
     if (samples > limits.samples) return fail(Error::OverLimit);
   }
-  if (h.vertices > limits.vertices || h.bytes > limits.memory) return fail(Error::OverLimit);
+  if (h.vertices > limits.vertices) return fail(Error::OverLimit);
   header = h;
   info = describeHeader(h, used);
   in.resize(std::min<uint64_t>(in.size(), info.bytes));

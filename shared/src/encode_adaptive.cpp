@@ -118,9 +118,9 @@ class AdaptiveWriter {
 
   /// RMS distance of what a decoder shows now.
   [[nodiscard]] double error() const {
-    if (mesh_.level() < plan_.octaves()) return distance_.rms(mesh_.shown(mesh_.level()).signs);
+    if (mesh_.level() < plan_.octaves()) return distance_.rms(mesh_.shown(mesh_.level())->signs);
     constexpr std::size_t kSamples = 4096;
-    const auto shown = mesh_.shown(mesh_.level());
+    const auto shown = *mesh_.shown(mesh_.level());
     double sum = 0;
     uint64_t count = 0;
     AdaptiveDistance<D>(plan_, field_, shown).fromSource(plan_.crossings().size() / kSamples + 1, [&](const auto&, double d) {

@@ -14,6 +14,14 @@ struct Spent {
   bool overLimit = false;
 };
 
+bool isTooLarge(const Decoder& decoder, const MeshOptions& options) {
+  Mesh mesh;
+  Contours contours;
+  const Error error = decoder.info().dimension == 2 ? decoder.contours(options, contours) : decoder.mesh(options, mesh);
+  EXPECT_TRUE(error == Error::None || error == Error::OverLimit) << name(error);
+  return error == Error::OverLimit;
+}
+
 /// Decodes all, and makes what there is to see after each layer.
 Spent spentOn(const Bytes& bytes, std::size_t memory) {
   const Allocation allocation;
@@ -23,18 +31,15 @@ Spent spentOn(const Bytes& bytes, std::size_t memory) {
   decoder.finish();
   while (decoder.advance()) {
     for (const Polygonizer polygonizer : kPolygonizers) {
-      for (const double time : {0.0, 0.5}) {
-        if (time > decoder.info().frames - 1) continue;
-        MeshOptions options;
-        options.polygonizer = polygonizer;
-        options.time = time;
-        Mesh mesh;
-        Contours contours;
-        const bool image = decoder.info().dimension == 2;
-        const Error error = image ? decoder.contours(options, contours) : decoder.mesh(options, mesh);
-        EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
-        spent.overLimit = spent.overLimit || error == Error::OverLimit;
-      }
+      MeshOptions options;
+      options.polygonizer = polygonizer;
+      options.isovalue = decoder.info().isovalues.back();
+      const bool told = isTooLarge(decoder, options);
+      // Between two frames, or between two isovalues.
+      options.isovalue = (decoder.info().isovalues.front() + decoder.info().isovalues.back()) / 2;
+      options.time = decoder.info().frames > 1 ? 0.5 : 0;
+      const bool between = isTooLarge(decoder, options);
+      spent.overLimit = spent.overLimit || told || between;
     }
   }
   EXPECT_TRUE(decoder.error() == Error::None || decoder.error() == Error::OverLimit) << name(decoder.error());
@@ -47,7 +52,7 @@ void expectWithin(const Bytes& bytes, int dimension) {
   const std::size_t beside = kUncounted[static_cast<std::size_t>(dimension)] + bytes.size();
   const Spent free = spentOn(bytes, SIZE_MAX);
   EXPECT_FALSE(free.overLimit);
-  for (std::size_t memory = free.peak / 40; memory < free.peak; memory += memory / 2 + memory / 3) {
+  for (std::size_t memory = free.peak / 48; memory < free.peak; memory += 2 * memory - memory / 5) {
     const Spent spent = spentOn(bytes, memory);
     EXPECT_LE(spent.peak, memory + beside) << memory << " bytes allowed; " << free.peak << " would be used";
     EXPECT_TRUE(spent.overLimit || memory + beside >= free.peak) << memory;
@@ -68,8 +73,46 @@ TEST(HostileMemory, volumes) {
   }
 }
 
+TEST(HostileMemory, closeByIsovalues) {
+  const Size size{50, 61, 57};
+  EncodeOptions options;
+  options.near = {0.1, -0.4};
+  expectWithin(encoded(sampled("gyroid", size, gyroid(17)), options), 3);
+}
+
+TEST(HostileMemory, whatWasSoundIsStillShown) {
+  const Size size{50, 61, 57};
+  for (const bool adaptive : {false, true}) {
+    EncodeOptions options;
+    options.adaptive = adaptive;
+    options.maxError = 0.3;
+    const Bytes bytes = encoded(sampled("gyroid", size, gyroid(31)), options);
+    for (std::size_t memory = 1 << 14; memory < 2u << 20; memory *= 2) {
+      const Decoder decoder = decoderOf(bytes, {1u << 20, 1u << 20, memory});
+      if (decoder.error() == Error::None || decoder.level() < 0) continue;
+      EXPECT_EQ(decoder.error(), Error::OverLimit);
+      const Decoder before = decoderOf(std::span(bytes).first(decoder.bytes()));
+      EXPECT_EQ(decoder.level(), before.level()) << memory;
+      Mesh mesh;
+      if (decoder.mesh({}, mesh) != Error::None || adaptive) continue;
+      EXPECT_EQ(mesh.triangles, meshOf(before).triangles) << memory;
+    }
+  }
+}
+
+TEST(HostileMemory, adaptiveVolumes) {
+  EncodeOptions options;
+  options.adaptive = true;
+  options.maxError = 0.3;
+  const Size size{70, 61, 66};
+  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("gyroid", size, gyroid(31))}) {
+    SCOPED_TRACE(described(field));
+    expectWithin(encoded(field, options), 3);
+  }
+}
+
 TEST(HostileMemory, images) {
-  for (const SampledImage& image : imagesOf({500, 400})) {
+  for (const SampledImage& image : imagesOf({300, 250})) {
     SCOPED_TRACE(image.name);
     expectWithin(encoded(image), 2);
   }

@@ -189,7 +189,7 @@ TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
     for (const std::size_t megabytes : {1u, 4u, 16u}) {
       Error error;
       const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
-      EXPECT_LE(peak, kGrowth * (megabytes << 20) + kModels + 2 * bytes.size()) << testing::PrintToString(size) << ", " << megabytes << " MB";
+      EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size()) << testing::PrintToString(size) << ", " << megabytes << " MB";
       EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
     }
   }

@@ -65,6 +65,102 @@ TEST(Feeding, trailingBytesAreSomebodyElses) {
   EXPECT_EQ(meshOf(decoder).positions, expected.positions);
 }
 
+TEST(Feeding, bytesAfterTheEndChangeNothing) {
+  const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  Decoder decoder;
+  decoder.feed(bytes);
+  while (decoder.advance()) {
+  }
+  for (const bool finished : {false, true}) {
+    if (finished) decoder.finish();
+    decoder.feed(bytes);
+    EXPECT_FALSE(decoder.advance());
+    EXPECT_EQ(decoder.error(), Error::None);
+    EXPECT_TRUE(decoder.complete());
+    EXPECT_EQ(decoder.bytes(), bytes.size());
+    EXPECT_EQ(meshOf(decoder).positions, decoded(bytes).positions);
+  }
+}
+
+TEST(Feeding, bytesAfterFinishAreNotTaken) {
+  const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  for (const std::size_t length : {std::size_t{0}, std::size_t{10}, bytes.size() / 2}) {
+    Decoder decoder;
+    decoder.feed(std::span(bytes).first(length));
+    decoder.finish();
+    decoder.feed(std::span(bytes).subspan(length));
+    while (decoder.advance()) {
+    }
+    EXPECT_EQ(decoder.error(), Error::Truncated);
+    EXPECT_LE(decoder.bytes(), length);
+    EXPECT_EQ(decoder.ready(), length > 10);
+  }
+}
+
+TEST(Feeding, emptyPiecesChangeNothing) {
+  const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  Decoder decoder;
+  for (const std::byte& b : bytes) {
+    decoder.feed({});
+    decoder.feed({&b, 1});
+    decoder.feed({});
+    while (decoder.advance()) EXPECT_FALSE(decoder.bytes() == 0);
+  }
+  decoder.feed({});
+  EXPECT_FALSE(decoder.advance());
+  EXPECT_TRUE(decoder.complete());
+  EXPECT_EQ(meshOf(decoder).positions, decoded(bytes).positions);
+}
+
+TEST(Feeding, finishBeforeTheHeader) {
+  const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  for (std::size_t length = 0; length < 12; ++length) {
+    Decoder decoder;
+    decoder.feed(std::span(bytes).first(length));
+    decoder.finish();
+    decoder.finish();
+    EXPECT_EQ(decoder.error(), Error::None) << "nothing has been looked at";
+    EXPECT_FALSE(decoder.advance());
+    EXPECT_EQ(decoder.error(), Error::Truncated);
+    EXPECT_FALSE(decoder.ready());
+    EXPECT_EQ(decoder.bytes(), 0u);
+    Mesh mesh;
+    Contours contours;
+    EXPECT_EQ(decoder.mesh({}, mesh), Error::Truncated);
+    EXPECT_EQ(decoder.contours({}, contours), Error::Truncated);
+  }
+}
+
+TEST(Feeding, theFirstErrorStays) {
+  const Bytes good = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
+  Bytes bad = good;
+  bad[good.size() / 2] ^= std::byte{1};
+  Decoder decoder = decoderOf(bad);
+  ASSERT_EQ(decoder.error(), Error::Corrupt);
+  const uint64_t shown = decoder.bytes();
+  const int level = decoder.level();
+  const Mesh mesh = meshOf(decoder);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(decoder.advance());
+    decoder.feed(good);
+    decoder.finish();
+    EXPECT_EQ(decoder.error(), Error::Corrupt);
+    EXPECT_EQ(decoder.bytes(), shown);
+    EXPECT_EQ(decoder.level(), level);
+    EXPECT_EQ(meshOf(decoder).positions, mesh.positions);
+  }
+}
+
+TEST(Feeding, moreBytesThanTheMemoryAllowed) {
+  const Bytes bytes = encoded(sampled("noise", {20, 13, 17}, noise()));
+  Limits limits;
+  limits.memory = bytes.size() - 1;
+  Decoder decoder(limits);
+  decoder.feed(bytes);
+  EXPECT_FALSE(decoder.advance());
+  EXPECT_EQ(decoder.error(), Error::OverLimit);
+}
+
 TEST(Feeding, decodersCanBeMoved) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder first;

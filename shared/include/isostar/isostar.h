@@ -104,7 +104,9 @@ struct Contours {
 struct Limits {
   uint64_t samples = 1ull << 31;    // of the grid
   uint64_t vertices = 1ull << 26;   // of a mesh
-  uint64_t memory = 3ull << 30;     // bytes of decoder state
+  /// Bytes that a decoder holds, with the surface while it is made. Beside them come the bytes fed, which are as many at
+  /// most, and up to 4 MB of models.
+  uint64_t memory = 3ull << 30;
 };
 
 /// One piece of the stream after which the decoded surface is better.
@@ -156,11 +158,14 @@ class Decoder {
   Decoder(Decoder&&) noexcept;
   Decoder& operator=(Decoder&&) noexcept;
 
-  void feed(std::span<const std::byte>);  // copies; never fails
-  void finish();                          // no more bytes will come: advance() then shows what a torn layer still tells
+  /// Copies. Never fails: more than Limits::memory becomes error(). Bytes past the stream's end, after an error or after
+  /// finish() are not taken.
+  void feed(std::span<const std::byte>);
+  void finish();  // no more bytes will come: advance() then shows what a torn layer still tells
   /// Decodes one more layer. True: mesh() would show a better surface. False: feed more, or all is shown, or see error().
   [[nodiscard]] bool advance();
-  [[nodiscard]] Error error() const;  // the first error stays; Truncated only after finish(); mesh() still shows what was sound
+  /// The first error stays; Truncated only after finish(). advance() is false from then on; mesh() still shows what was sound.
+  [[nodiscard]] Error error() const;
 
   [[nodiscard]] bool ready() const;        // the header has arrived; a surface, maybe empty, can be made
   [[nodiscard]] const StreamInfo& info() const;  // header as far as it has arrived; layers so far decoded
@@ -170,7 +175,8 @@ class Decoder {
   [[nodiscard]] double rmsError() const;   // of the last complete layer, grid steps
   [[nodiscard]] bool complete() const;     // all layers are decoded
 
-  /// Of a volume or of a sequence. BadArgument: the stream is an image's, or has no such time or isovalue.
+  /// Of a volume or of a sequence. Truncated: no header has arrived. OverLimit: it would take more than the limits.
+  /// BadArgument: the stream is an image's, or has no such time or isovalue.
   [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out) const;
   /// Of an image: marching squares (`cubes`), or one segment per crossing triangle (`tetrahedra`). BadArgument: the stream is none,
   /// or has no such isovalue.
