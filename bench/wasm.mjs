@@ -18,7 +18,7 @@ function decodeIsostar(module, bytes, normals) {
   decoder.accept(bytes.length);
   decoder.finish();
   while (decoder.advance());
-  const error = decoder.makeMesh(module.Polygonizer.cubes, module.Frame.world, normals);
+  const error = decoder.makeMesh(module.Polygonizer.cubes, module.Frame.world, normals, decoder.info().isovalues[0]);
   if (!decoder.complete() || error !== 'None') throw new Error(`isostar: ${decoder.error()}, ${error}`);
   const surface = [decoder.positions().slice(), decoder.triangles().slice(), decoder.normals().slice()];
   decoder.delete();
