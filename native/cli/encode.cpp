@@ -181,6 +181,9 @@ void addEncode(CLI::App& app) {
       .add_flag("--adaptive", options.adaptive,
                 "Coarser simplices where they keep the bound, if that makes the file smaller; not for sequences")
       ->excludes("--lossless");
+  command
+      .add_flag("--preserve-topology", options.preserveTopology,
+                "Show no surface on the way that has other components or handles than the last one; volumes only");
   addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
   addUnits(command, arguments->units, "What lengths count: steps of the grid's smallest spacing, or the world's unit");
   addSize(command, volume.size, "Samples along each axis of a raw volume, x fastest, little endian");

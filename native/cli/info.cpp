@@ -61,6 +61,7 @@ void printJson(const StreamInfo& info, double unit) {
       {"polygonizer", nameOf(info.polygonizer)},
       {"lossless", info.lossless},
       {"adaptive", info.adaptive},
+      {"preservesTopology", info.preservesTopology},
       {"maxError", info.maxError * unit},
       {"bytes", info.bytes},
       {"vertices", info.vertices},
@@ -94,6 +95,7 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
                     : text("at most %g %s, %s", info.maxError * unit,
                            arguments.units == Units::World ? "world units" : "grid steps", nameOf(info.polygonizer)) +
                           (info.adaptive ? ", adaptive" : ""));
+  if (info.preservesTopology) line("topology", "the same on every layer");
 }
 
 void printBits(const StreamInfo& info) {

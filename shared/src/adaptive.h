@@ -42,7 +42,7 @@ class AdaptiveMesh {
   [[nodiscard]] const Signs<D>& absent(int level) const { return absent_[static_cast<std::size_t>(level)]; }
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
-    uint64_t sum = refinement_.memory();
+    uint64_t sum = refinement_.memory() + filling_.memory();
     for (const auto& s : signs_) sum += s.memory();
     for (const auto& s : absent_) sum += s.memory();
     for (const auto& o : octaves_) sum += o.memory();
@@ -74,6 +74,39 @@ class AdaptiveMesh {
     absent_.push_back(std::move(absent));
   }
 
+  /// The base and all octaves at once; what shows is only the whole.
+  template <class Exchange>
+  void tellAll(Exchange& ask, int octaves) {
+    ask.enter(0);
+    base(ask);
+    for (int level = 1; level <= octaves; ++level) {
+      ask.hold(memory());
+      if (ask.spent(memoryToRefine())) return;
+      ask.enter(level);
+      refine(ask);
+    }
+  }
+
+  /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds that made them absent.
+  template <class Exchange>
+  void fill(Exchange& ask, int level) {
+    auto& signs = signs_[static_cast<std::size_t>(level)];
+    auto& absent = absent_[static_cast<std::size_t>(level)];
+    forEach(absent, [&](const Coordinates<D>& v) {
+      auto corner = v;
+      for (int a = 0; a < D; ++a) corner[a] -= signs.lattice().fresh(a, v[a]) ? 1 : 0;
+      signs.set(v, signs.at(corner));
+    });
+    ask.hold(memory());
+    for (int dimension = D; dimension >= 1; --dimension) filling_.fill(ask, signs, dimension, absent);
+    if (ask.spent()) return;
+    absent = Signs<D>(signs.lattice());
+    for (int finer = level + 1; finer <= this->level(); ++finer) takeOverFilled(finer);
+  }
+
+  /// The signs of the finest octave; the mesh is of no use any more.
+  [[nodiscard]] Signs<D> takeSigns() { return std::move(signs_.back()); }
+
   /// Scalars of an octave: of the vertices of its leaves that coarser ones have not told. On the finest, `cubes` needs no
   /// ends of diagonals.
   template <class Exchange>
@@ -102,7 +135,7 @@ class AdaptiveMesh {
       // Those known are copied while the others are estimated.
       const auto bricks = octave.scalars.brickCount() + static_cast<std::size_t>(std::count(octave.active.begin(), octave.active.end(), 1));
       if (octave.memory() + 2 * Scalars<D>::memoryOf(octave.active.size(), bricks) > memory) return std::nullopt;
-      for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, 0, octave.scalars);
+      estimate(o, told() == 0 ? level - o : 0, octave);
     }
     return octave;
   }
@@ -159,6 +192,29 @@ class AdaptiveMesh {
     return fine;
   }
 
+  /// Where a vertex of an octave is on the coarser one; nothing if it is fresh.
+  static std::optional<Coordinates<D>> onCoarser(const Lattice<D>& lattice, const Coordinates<D>& v) {
+    Coordinates<D> parent;
+    for (int a = 0; a < D; ++a) {
+      if (lattice.fresh(a, v[a])) return std::nullopt;
+      parent[a] = lattice.parent(a, v[a]);
+    }
+    return parent;
+  }
+
+  /// Vertices that are no longer absent on the coarser octave are there, too.
+  void takeOverFilled(int level) {
+    auto& signs = signs_[static_cast<std::size_t>(level)];
+    auto& absent = absent_[static_cast<std::size_t>(level)];
+    const auto& coarser = signs_[static_cast<std::size_t>(level) - 1];
+    forEach(absent, [&](const Coordinates<D>& v) {
+      const auto parent = onCoarser(signs.lattice(), v);
+      if (!parent || this->absent(level - 1).at(*parent)) return;
+      signs.set(v, coarser.at(*parent));
+      absent.set(v, false);
+    });
+  }
+
   /// Has the mesh the vertex, and is it one of a simplex that is not split further?
   [[nodiscard]] bool belongsToLeaf(const Coordinates<D>& brick, std::size_t r, int x, int level) const {
     const auto v = vertexOf(brick, r * kBrickSide + static_cast<std::size_t>(x));
@@ -199,6 +255,23 @@ class AdaptiveMesh {
     return octave;
   }
 
+  /// Gives the vertices of an octave's leaves values, as many times larger as its steps are longer: those of other vertices
+  /// are better estimated on finer octaves.
+  void estimate(int level, int finer, AdaptiveOctave<D>& octave) const {
+    const Scalars<D> before = octave.scalars;
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars);
+    if (level == this->level()) return;
+    const auto& table = octave.signs.table();
+    for (std::size_t place = 0; place < table.total(); ++place) {
+      if (!octave.scalars.has(place)) continue;
+      auto& brick = octave.scalars.writable(place);
+      for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
+        if (!brick.knows(i) || before.at(place).knows(i) || belongsToLeaf(table.brick(place), i / kBrickSide, static_cast<int>(i % kBrickSide), level)) continue;
+        brick.value[i] = Scalars<D>::kUnknown;
+      }
+    }
+  }
+
   static void takeOver(const AdaptiveOctave<D>& coarser, AdaptiveOctave<D>& octave) {
     const auto& from = coarser.signs;
     for (std::size_t place = 0; place < from.table().total(); ++place) {
@@ -216,15 +289,8 @@ class AdaptiveMesh {
   /// Absent vertices: those of the coarser octave as they are there, the others halfway between the ends of their
   /// refinement edge.
   static void interpolate(const Signs<D>& absent, const AdaptiveOctave<D>& coarser, AdaptiveOctave<D>& octave) {
-    const auto& lattice = octave.signs.lattice();
     forEach(absent, [&](const Coordinates<D>& v) {
-      Coordinates<D> parent;
-      bool fresh = false;
-      for (int a = 0; a < D; ++a) {
-        parent[a] = lattice.parent(a, v[a]);
-        fresh = fresh || lattice.fresh(a, v[a]);
-      }
-      if (!fresh) octave.signs.set(v, coarser.signs.at(parent));
+      if (const auto parent = onCoarser(octave.signs.lattice(), v)) octave.signs.set(v, coarser.signs.at(*parent));
     });
     forEach(absent, [&](const Coordinates<D>& v) { halfway(v, octave); });
   }
@@ -254,7 +320,7 @@ class AdaptiveMesh {
 
   std::vector<Signs<D>> signs_, absent_;  // by octave, as they were told
   std::vector<AdaptiveOctave<D>> octaves_;
-  RefinementCoder<D> refinement_;
+  RefinementCoder<D> refinement_, filling_;
   OctavesCoder<D> octavesCoder_;
   HalvingCoder<D> halvingCoder_;
 };

@@ -28,6 +28,7 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   info.polygonizer = h.polygonizer;
   info.lossless = h.lossless;
   info.adaptive = h.adaptive;
+  info.preservesTopology = h.keepsTopology;
   info.maxError = h.lossless ? 0 : h.maxError;
   info.vertices = h.vertices;
   info.headerBytes = bytes;

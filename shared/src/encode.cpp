@@ -5,6 +5,7 @@
 
 #include "completion.h"
 #include "encode_adaptive.h"
+#include "encode_topology.h"
 #include "field.h"
 #include "isostar/isostar.h"
 #include "layers.h"
@@ -56,9 +57,17 @@ class LayerWriter {
     const Signs<D>& finest = source_->signs();
     std::vector<Signs<D>> coarse(static_cast<std::size_t>(octaves_));
     for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
+    std::vector<Signs<D>> whole;
+    if constexpr (D == 3) {
+      if (known_.header.keepsTopology) {
+        coarse.push_back(finest);
+        whole = wholeCells(known_.header, coarse);
+      }
+    }
     for (int level = 0; level <= octaves_; ++level) {
       const Signs<D>& truth = level < octaves_ ? coarse[static_cast<std::size_t>(level)] : finest;
       tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
+        ask.follow(coarse, whole);
         if (level == 0) known_.base(ask);
         else known_.refine(ask);
       });
@@ -117,6 +126,7 @@ class LayerWriter {
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
+    if (known_.welded) return distance.rms(known_.welded->shown(octaves_)->signs);
     if (known_.level < octaves_) return distance.rms(known_.signs);
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars);
     const NearSurface<D>& last = known_.near.surfaces().back();
@@ -229,6 +239,7 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
+  if (options.preserveTopology && D != 3) return Error::BadArgument;
   if (options.adaptive && (options.lossless || D == 4 || !options.near.empty())) return Error::BadArgument;
   if (!bounded || !invertible(header.placement) || !sensible<D>(samples, size, options.isovalue)) return Error::BadArgument;
   if (options.near.size() > Header::kMostNear || !distinct(options)) return Error::BadArgument;
@@ -236,6 +247,7 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   header.near = byNearness(options.isovalue, options.near);
   header.polygonizer = options.polygonizer;
   header.lossless = options.lossless;
+  header.keepsTopology = options.preserveTopology;
   header.maxError = options.lossless ? 0 : std::clamp(options.maxError, 1e-9, 1e9);
   std::deque<Source<D>> sources;
   sources.emplace_back(samples, size, options.isovalue);
@@ -248,7 +260,7 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   Header adaptiveHeader = header;
   std::vector<std::byte> adaptive;
   if constexpr (D < 4) {
-    if (options.adaptive && header.vertices != 0) {
+    if (options.adaptive && !options.preserveTopology && header.vertices != 0) {
       adaptiveHeader.adaptive = true;
       if (!encodeAdaptive(sources.front().field(), options, sources.front().signs(), adaptiveHeader, adaptive)) adaptive.clear();
     }

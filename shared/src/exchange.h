@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "bricks.h"
 #include "models.h"
@@ -14,23 +15,36 @@ namespace isostar {
 template <int D, class Coder, class Field>
 class TruthExchange {
  public:
-  TruthExchange(Coder& coder, const Signs<D>& truth, const Field& field) : coder_(coder), truth_(truth), field_(field) {}
+  TruthExchange(Coder& coder, const Signs<D>& truth, const Field& field) : coder_(coder), truth_(&truth), field_(field) {}
 
   Coder& coder() { return coder_; }
   [[nodiscard]] bool spent(uint64_t = 0) const { return false; }
+  void hold(uint64_t) {}
+
+  /// A layer of several octaves: their signs and the centres of their cells that stay whole, by octave.
+  void follow(std::span<const Signs<D>> truths, std::span<const Signs<D>> kept) {
+    truths_ = truths;
+    keptByOctave_ = kept;
+  }
+  /// The octave in work, of those to follow.
+  void enter(int level) {
+    if (truths_.empty()) return;
+    truth_ = &truths_[static_cast<std::size_t>(level)];
+    kept_ = &keptByOctave_[static_cast<std::size_t>(level)];
+  }
 
   /// The true signs of a row of a brick, bit x is vertex x.
-  [[nodiscard]] uint32_t row(std::size_t place, std::size_t r) const { return truth_.brickAt(place).rows[r]; }
+  [[nodiscard]] uint32_t row(std::size_t place, std::size_t r) const { return truth_->brickAt(place).rows[r]; }
   /// Is any vertex of a brick not of the sign given?
-  [[nodiscard]] bool varies(std::size_t place, uint32_t uniform) const { return truth_.index(place) != uniform; }
-  [[nodiscard]] bool positive(const Coordinates<D>& v) const { return truth_.at(v); }
+  [[nodiscard]] bool varies(std::size_t place, uint32_t uniform) const { return truth_->index(place) != uniform; }
+  [[nodiscard]] bool positive(const Coordinates<D>& v) const { return truth_->at(v); }
   /// The first crossing simplex that has not been visited.
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>& lattice, const std::vector<bool>& visited) const {
     for (std::size_t at = 0; at < visited.size(); ++at) {
       if (visited[at]) continue;
       const auto simplex = Simplex<D>::at(at, lattice);
       int positives = 0;
-      for (int i = 0; i <= D; ++i) positives += truth_.at(simplex.vertex(i));
+      for (int i = 0; i <= D; ++i) positives += truth_->at(simplex.vertex(i));
       if (positives != 0 && positives != D + 1) return simplex;
     }
     return std::nullopt;
@@ -48,9 +62,10 @@ class TruthExchange {
 
  private:
   Coder& coder_;
-  const Signs<D>& truth_;
+  const Signs<D>* truth_;
   const Field& field_;
   const Signs<D>* kept_ = nullptr;
+  std::span<const Signs<D>> truths_, keptByOctave_;
 };
 
 /// The decoder's side: there is no field to ask, so that a peek at the truth does not compile into anything.
@@ -63,9 +78,12 @@ class BlindExchange {
   RangeDecoder& coder() { return coder_; }
   /// Are the bytes or the budget used up? What would be decoded from here on is noise.
   [[nodiscard]] bool spent(uint64_t memory = 0) {
-    overBudget_ = overBudget_ || memory > budget_;
+    overBudget_ = overBudget_ || memory + held_ > budget_;
     return overBudget_ || coder_.overrun() > slack_;
   }
+  /// Bytes that are in use beside those of the state in work.
+  void hold(uint64_t bytes) { held_ = bytes; }
+  void enter(int) {}
   [[nodiscard]] bool overBudget() const { return overBudget_; }
 
   [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
@@ -80,7 +98,7 @@ class BlindExchange {
  private:
   RangeDecoder& coder_;
   std::size_t slack_;
-  uint64_t budget_;
+  uint64_t budget_, held_ = 0;
   bool overBudget_ = false;
 };
 

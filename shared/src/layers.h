@@ -1,7 +1,7 @@
 // A stream's layers as one traversal for both directions: the encoder tells, the decoder listens.
 #pragma once
 
-#include "base_coder.h"
+#include "adaptive.h"
 #include "close_by.h"
 #include "halving_coder.h"
 #include "octave.h"
@@ -74,16 +74,32 @@ struct Knowledge {
 
   template <class Exchange>
   void base(Exchange& ask) {
-    BaseCoder<D>().tell(ask, signs);
+    if (header.keepsTopology && header.octaves() > 0) {
+      welded.emplace(header.base<D>());
+      welded->tellAll(ask, header.octaves());
+    } else {
+      BaseCoder<D>().tell(ask, signs);
+    }
   }
 
   template <class Exchange>
   void refine(Exchange& ask) {
+    if (welded) return fill(ask);
     Signs<D> finer = refined(signs);
     for (int dimension = D; dimension >= 1; --dimension) refinement.bisect(ask, finer, dimension);
     if (ask.spent()) return;  // the octave stays as it was
     signs = std::move(finer);
     ++level;
+  }
+
+  /// The next octave of a mesh that has been welded as far as the topology allows.
+  template <class Exchange>
+  void fill(Exchange& ask) {
+    welded->fill(ask, level + 1);
+    if (ask.spent()) return;
+    if (++level < header.octaves()) return;
+    signs = welded->takeSigns();
+    welded.reset();
   }
 
   template <class Exchange>
@@ -118,7 +134,7 @@ struct Knowledge {
 
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
-  [[nodiscard]] uint64_t memoryBesideScalars() const { return signs.memory() + refinement.memory() + active.capacity(); }
+  [[nodiscard]] uint64_t memoryBesideScalars() const { return signs.memory() + refinement.memory() + active.capacity() + (welded ? welded->memory() : 0); }
   /// What it takes to begin the first geometry layer, or to go on.
   [[nodiscard]] uint64_t memoryForScalars() const {
     const std::size_t places = signs.table().total();
@@ -126,6 +142,7 @@ struct Knowledge {
   }
   /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
   [[nodiscard]] uint64_t memoryToRefine() const {
+    if (welded) return memoryBesideScalars();
     const BrickTable<D> finer(signs.lattice().finer());
     uint64_t bricks = uint64_t{signs.brickCount()} << D;
     for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
@@ -135,6 +152,7 @@ struct Knowledge {
   const Header& header;
   Signs<D> signs;
   int level;
+  std::optional<AdaptiveMesh<D>> welded;  // instead of the signs, of a stream that keeps the topology, before its finest octave
   RefinementCoder<D> refinement;
   std::vector<uint8_t> active;  // bricks of the finest octave; empty before the first geometry layer
   Scalars<D> scalars;

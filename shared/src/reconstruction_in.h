@@ -45,12 +45,12 @@ class ReconstructionIn : public Reconstruction {
       known_.geometry(ask, pass);
     } else if (head.kind == LayerKind::Base) {
       known_.base(ask);
-      based_ = true;
     } else {
       known_.refine(ask);
     }
     const Error error = ask.overBudget() ? Error::OverLimit : !torn && ask.spent() ? Error::Corrupt : Error::None;
     torn_ = torn || error != Error::None;
+    based_ = based_ || error == Error::None;
     return {error, error == Error::None};
   }
 
@@ -133,9 +133,19 @@ class ReconstructionIn : public Reconstruction {
     if (const NearSurface<D>* near = known_.near.find(isovalue)) {
       return withCompleted({near->signs, near->active, near->scalars, near->told}, header_.at(isovalue), options, held, make);
     }
+    if (known_.welded) return withWelded(held, make);
     if (known_.active.empty()) return withEstimated(options, held, make);
     if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told}, header_, options, held, make);
     return withBetween(isovalue, options, held, make);
+  }
+
+  /// Of a mesh that has not all vertices yet.
+  template <class Make>
+  Error withWelded(uint64_t held, Make make) const {
+    const auto octave = known_.welded->shown(header_.octaves(), left(held).memory);
+    if (!octave) return Error::OverLimit;
+    const double offset = 2 * header_.positiveOffset - 1;
+    return make(Surface<D>{octave->signs, octave->scalars, offset, offset, header_.placement}, held + octave->memory());
   }
 
   /// Before any scalars have been told.

@@ -49,6 +49,24 @@ class RefinementCoder {
     changedPlaces_.clear();
   }
 
+  /// The absent vertices of an octave that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
+  /// fresh one has its lower corner's sign for now. No component first appears here, or its vertices would not be absent.
+  template <class Exchange>
+  void fill(Exchange& ask, Signs<D>& signs, int dimension, const Signs<D>& absent) {
+    absent_ = nullptr;
+    for (std::size_t place = 0; place < signs.table().total() && !ask.spent(signs.memory() + memory()); ++place) {
+      if (absent.index(place) == Signs<D>::kNegative) continue;
+      enter(signs, place, dimension);
+      for (int i = 0; i < openCount_; ++i) {
+        Row& row = rows_[open_[static_cast<std::size_t>(i)]];
+        row.open = static_cast<uint8_t>(row.open & absent.brickAt(place).rows[row.brick]);
+        tellRow(ask, place, row);
+      }
+      if (changed_) store(signs, place);
+    }
+    changedPlaces_.clear();
+  }
+
   /// Bytes in use beside the models, while one more place changes.
   [[nodiscard]] uint64_t memory() const { return active_.capacity() + memoryToGrow(changedPlaces_); }
 

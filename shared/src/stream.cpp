@@ -23,7 +23,8 @@ enum Flag : uint32_t {
   kByteSteps = 64,
   kAdaptive = 128,
   kNear = 256,
-  kKnownFlags = 511
+  kKeepsTopology = 512,
+  kKnownFlags = 1023
 };
 
 /// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
@@ -143,7 +144,8 @@ void write(ByteWriter& out, const Header& h) {
   const bool turned = h.dimension > 2 && direction != plain.direction;
   const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
                          (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
-                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear);
+                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear) |
+                         (h.keepsTopology ? kKeepsTopology : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
   w.u8(kBinary | static_cast<uint32_t>(kFormatVersion) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
@@ -191,6 +193,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if ((flags & ~uint64_t{kKnownFlags}) != 0) return Error::UnsupportedVersion;
   h.lossless = (flags & kLossless) != 0;
   h.adaptive = (flags & kAdaptive) != 0;
+  h.keepsTopology = (flags & kKeepsTopology) != 0;
   h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
   bool sane = true;
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {
@@ -227,7 +230,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (expected != checksum(body.first(length))) return Error::Corrupt;
   if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
   if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
-  if (h.adaptive && !h.near.empty()) return Error::Corrupt;
+  if (h.adaptive && (h.keepsTopology || !h.near.empty())) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;

@@ -22,6 +22,7 @@ struct Header {
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
   bool adaptive = false;   // layers are those of an AdaptiveMesh
+  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest topology, each refinement fills an octave
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.

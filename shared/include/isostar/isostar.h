@@ -71,6 +71,7 @@ struct EncodeOptions {
   bool lossless = false;   // the decoded surface is the one that the polygonizer makes of the source
   Polygonizer polygonizer = Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
   bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences, lossless or near
+  bool preserveTopology = false;  // every surface along the stream has the finest one's (§4.3); volumes only; not combined with `adaptive`, which then makes no difference
   std::function<void(double done)> progress;     // called now and then with 0 … 1
 };
 
@@ -130,6 +131,7 @@ struct StreamInfo {
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
   bool adaptive = false;    // the mesh is coarser where that keeps the bound (§4.3)
+  bool preservesTopology = false;  // every layer's surface has the topology of the last one's (§4.3)
   double maxError = 0;      // the bound that was asked for; 0 for lossless
   uint64_t vertices = 0;    // of the complete surface that `cubes` makes
   uint64_t headerBytes = 0; // header and the layer heads so far
