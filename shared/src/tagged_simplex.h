@@ -61,7 +61,7 @@ struct TaggedSimplex {
 
 /// Is an order of axes an odd permutation?
 template <int D>
-bool oddOrder(const std::array<int8_t, D>& axes) {
+bool oddOrder(const auto& axes) {
   bool odd = false;
   for (int i = 0; i < D; ++i) {
     for (int j = i + 1; j < D; ++j) odd = odd != (axes[j] < axes[i]);
@@ -92,9 +92,9 @@ template <int D, class Visit>
 void forEachSimplexOf(const Diamond<D>& d, const Hierarchy<D>& hierarchy, Visit&& visit) {
   const int along = d.axes();
   const auto even = d.evenEnd(), odd = d.oddEnd();
-  std::array<int8_t, D> axes;
-  std::iota(axes.begin(), axes.end(), int8_t{0});
-  const auto across = std::stable_partition(axes.begin(), axes.end(), [&](int8_t a) { return d.along(a); });
+  std::array<int, D> axes;
+  std::iota(axes.begin(), axes.end(), 0);
+  const auto across = std::stable_partition(axes.begin(), axes.end(), [&](int a) { return d.along(a); });
   do {
     do {
       for (unsigned upwards = 0; upwards < 1u << (D - along); ++upwards) {
@@ -102,7 +102,7 @@ void forEachSimplexOf(const Diamond<D>& d, const Hierarchy<D>& hierarchy, Visit&
         s.vertices[0] = even;
         bool inside = true;
         for (int i = 0; i < D; ++i) {
-          const int8_t a = axes[i];
+          const int a = axes[i];
           const bool up = i < along ? odd[a] > even[a] : (upwards >> (i - along) & 1) != 0;
           s.mirrored = s.mirrored != !up;
           s.vertices[i + 1] = i == along ? d.vertex : s.vertices[i];
