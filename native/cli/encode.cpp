@@ -14,6 +14,7 @@
 #include "files/text.h"
 #include "model/model_volume.h"
 #include "volume/placement.h"
+#include "volume/precision.h"
 
 namespace isostar::native {
 namespace {
@@ -63,6 +64,14 @@ std::string closingLine(const Arguments& arguments, const StreamInfo& info) {
 void warnOfEmptySurface(const std::vector<float>& samples, double isovalue) {
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
   warn(text("the surface is empty: the samples reach from %g to %g, the isovalue is %g", *low, *high, isovalue));
+}
+
+void warnOfFineBound(const LoadedVolume& volume, const EncodeOptions& options) {
+  if (options.lossless) return;
+  const double precision = precisionOf(volume.samples, volume.size[0], options.isovalue);
+  if (options.maxError >= precision) return;
+  warn(text("the bound, %.2g grid steps, is finer than the data: the rounding of samples moves the surface by %.2g; --lossless keeps all that they tell",
+            options.maxError, precision));
 }
 
 /// Of a sequence its first frame counts.
@@ -140,6 +149,8 @@ void run(Arguments& arguments) {
   StreamInfo info;
   if (const Error error = inspect(stream, info); error != Error::None) throw Failure(arguments.output, describe(error));
   if (info.vertices == 0) warnOfEmptySurface(volume.samples, options.isovalue);
+  else warnOfFineBound(volume, options);
+  if (options.adaptive && options.preserveTopology) warn("--adaptive: streams with --preserve-topology have no coarse simplices in the end");
   if (arguments.json) printReport(arguments, volume, info, report);
   say(closingLine(arguments, info));
 }

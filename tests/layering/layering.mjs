@@ -27,7 +27,7 @@ const PARTS = {
   ],
   field: ['field.h', 'field.cpp'],
   distance: ['vertex_cloud.h', 'source_distance.h', 'source_distance.cpp'],
-  source: ['polygonize.cpp'],
+  source: ['polygonize.cpp', 'sampled.cpp'],
   adaptiveEncoder: ['adaptive_plan.h', 'adaptive_plan.cpp', 'adaptive_distance.h', 'encode_adaptive.h', 'encode_adaptive.cpp'],
   topologyEncoder: ['topology_plan.h', 'topology_plan.cpp', 'sign_turns.h', 'sign_turns.cpp', 'encode_topology.h', 'encode_topology.cpp'],
   encoder: ['encode.cpp'],

@@ -438,6 +438,28 @@ TEST_F(CommandLine, anEmptySurfaceIsAStreamAndAWarning) {
       nlohmann::json::parse(run({"compare", "e.ply", "empty.isostar", "--json"}).results)["symmetric"].is_null());
 }
 
+TEST_F(CommandLine, aBoundFinerThanTheDataSaysSo) {
+  write("v.raw", bytesOf(counting<uint8_t>(125)));
+  const std::vector<std::string> encode{"encode", "v.raw", "v.isostar", "--size", "5,5,5", "--type", "u8", "--iso", "60.5", "--max-error"};
+  const auto wordsAt = [&](const char* bound) {
+    auto arguments = encode;
+    arguments.push_back(bound);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.words;
+    return outcome.words;
+  };
+  EXPECT_NE(wordsAt("0.001").find("finer than the data"), std::string::npos);
+  EXPECT_EQ(wordsAt("0.6").find("finer than the data"), std::string::npos);
+}
+
+TEST_F(CommandLine, streamsOfOneTopologySayThatTheyAre) {
+  const Outcome outcome = run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology"});
+  EXPECT_EQ(outcome.status, 0) << outcome.words;
+  EXPECT_TRUE(nlohmann::json::parse(run({"info", "a.isostar", "--json"}).results)["preservesTopology"].get<bool>());
+  EXPECT_NE(run({"info", "a.isostar"}).results.find("the same on every layer"), std::string::npos);
+  EXPECT_NE(run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology", "--adaptive"}).words.find("--adaptive"), std::string::npos);
+}
+
 TEST_F(CommandLine, readsRawAndWritesToAPipe) {
   write("v.raw", bytesOf(counting<uint8_t>(125)));
   const Outcome outcome = run({"encode", "v.raw", "-", "--size", "5,5,5", "--type", "u8", "--iso", "60.5"});

@@ -152,5 +152,23 @@ TEST(Encoding, keepsWhatItWasTold) {
   EXPECT_EQ(info.polygonizer, Polygonizer::Tetrahedra);
 }
 
+TEST(Encoding, takesAnyFunctionOfAPointInTheWorld) {
+  Placement placement;
+  placement.origin = {-1, 2, 5};
+  placement.spacing = {0.5, 0.25, 1};
+  placement.direction = {0, 1, 0, -1, 0, 0, 0, 0, 1};
+  const std::array<int32_t, 3> size{20, 40, 12};
+  const auto samples = sampled([](double x, double y, double z) { return 3 - std::hypot(x - 4, y + 3, z - 10); }, size, placement);
+  Bytes bytes;
+  ASSERT_EQ(encode(Volume{samples, size, placement}, {}, bytes), Error::None);
+  const Mesh mesh = decoded(bytes);
+  ASSERT_GT(verticesOf(mesh), 100u);
+  for (uint32_t i = 0; i < verticesOf(mesh); ++i) {
+    const Point p = pointAt(mesh.positions, i);
+    EXPECT_NEAR(std::hypot(p[0] - 4, p[1] + 3, p[2] - 10), 3, 0.1);
+  }
+  EXPECT_TRUE(sampled([](double, double, double) { return 0.0; }, {4, 0, 4}).empty());
+}
+
 }  // namespace
 }  // namespace isostar

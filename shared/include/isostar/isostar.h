@@ -48,6 +48,12 @@ struct Volume {
   Placement placement;
 };
 
+/// Any function of a point in the world, for sampled().
+using Field = std::function<double(double x, double y, double z)>;
+
+/// The samples of a function on a volume's grid, x fastest; none where the size is not positive.
+[[nodiscard]] std::vector<float> sampled(const Field&, const std::array<int32_t, 3>& size, const Placement& = {});
+
 /// Samples of an image, x fastest, borrowed; what is encoded is its isocontours (§6).
 struct Image {
   std::span<const float> samples;
