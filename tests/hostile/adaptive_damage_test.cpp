@@ -5,6 +5,17 @@
 namespace isostar {
 namespace {
 
+void expectHarmless(const Bytes& good, std::size_t stride) {
+  const Anatomy anatomy(good);
+  Bytes bytes = good;
+  for (std::size_t bit = 0; bit < 8 * good.size(); bit += stride) {
+    SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
+    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+    (void)harmlesslyDecoded(repaired(bytes, anatomy));
+    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+  }
+}
+
 TEST(AdaptiveDamage, behindRightChecksumsItIsHarmless) {
   const auto field = sampled("ball", {80, 72, 84}, [](double x, double y, double z) {
     return 30 - std::sqrt((x - 39) * (x - 39) + (y - 35) * (y - 35) + (z - 41) * (z - 41));
@@ -16,14 +27,18 @@ TEST(AdaptiveDamage, behindRightChecksumsItIsHarmless) {
   StreamInfo info;
   ASSERT_EQ(inspect(good, info), Error::None);
   ASSERT_TRUE(info.adaptive);
+  expectHarmless(good, 293);
+}
+
+TEST(AdaptiveDamage, streamsOfOneTopologyAreHarmlessLikewise) {
+  EncodeOptions options;
+  options.preserveTopology = true;
+  const Bytes good = encoded(sampled("gyroid", {40, 33, 36}, gyroid(14)), options);
   const Anatomy anatomy(good);
-  Bytes bytes = good;
-  for (std::size_t bit = 0; bit < 8 * good.size(); bit += 293) {
-    SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
-    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
-    (void)harmlesslyDecoded(repaired(bytes, anatomy));
-    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
-  }
+  ASSERT_TRUE(anatomy.header.keepsTopology);
+  // The signs, densely; then all of it.
+  expectHarmless(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(anatomy.layers[3].end)), 53);
+  expectHarmless(good, 997);
 }
 
 }  // namespace

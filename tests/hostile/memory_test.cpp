@@ -73,6 +73,12 @@ TEST(HostileMemory, volumes) {
   }
 }
 
+TEST(HostileMemory, streamsOfOneTopology) {
+  EncodeOptions options;
+  options.preserveTopology = true;
+  expectWithin(encoded(sampled("gyroid", {50, 61, 57}, gyroid(17)), options), 3);
+}
+
 TEST(HostileMemory, closeByIsovalues) {
   const Size size{50, 61, 57};
   EncodeOptions options;
