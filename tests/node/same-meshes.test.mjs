@@ -22,6 +22,7 @@ const streams = {
   lossless: encodeField('lossless', [20, 17, 9], waves, '--lossless', '--polygonizer', 'tetrahedra'),
   whole: encodeField('whole', [24, 24, 24], (i, j, k) => Math.round(1000 * waves(i, j, k)), '--max-error', '0.01'),
   adaptive: encodeField('adaptive', [40, 33, 36], (i, j, k) => 13 - Math.hypot(i - 19, j - 16, k - 17), '--max-error', '0.2', '--adaptive'),
+  topology: encodeField('topology', [40, 33, 36], waves, '--preserve-topology'),
   several: encodeField('several', [24, 20, 26], (i, j, k) => Math.round(500 * waves(i, j, k)), '--near', '7.5,-20'),
   noise: encodeField('noise', [14, 15, 16], noise),
   rough: encodeField('rough', [40, 9, 30], (i, j, k) => waves(i, j, k) + 0.5 * noise(i, j, k), '--max-error', '0.2'),
