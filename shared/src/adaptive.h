@@ -11,6 +11,7 @@
 #include "octave.h"
 #include "octaves_coder.h"
 #include "refinement_coder.h"
+#include "seldom.h"
 
 namespace isostar {
 
@@ -66,7 +67,7 @@ class AdaptiveMesh {
 
   /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the others.
   template <class Exchange>
-  void refine(Exchange& ask) {
+  ISOSTAR_SELDOM void refine(Exchange& ask) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
     for (int dimension = D; dimension >= 1; --dimension) refinement_.bisect(ask, fine, dimension, &absent);
     if (ask.spent()) return;  // the octave stays as it was
@@ -76,7 +77,7 @@ class AdaptiveMesh {
 
   /// The base and all octaves at once; what shows is only the whole.
   template <class Exchange>
-  void tellAll(Exchange& ask, int octaves) {
+  ISOSTAR_SELDOM void tellAll(Exchange& ask, int octaves) {
     ask.enter(0);
     base(ask);
     for (int level = 1; level <= octaves; ++level) {
@@ -89,7 +90,7 @@ class AdaptiveMesh {
 
   /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds that made them absent.
   template <class Exchange>
-  void fill(Exchange& ask, int level) {
+  ISOSTAR_SELDOM void fill(Exchange& ask, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
     forEach(absent, [&](const Coordinates<D>& v) {
@@ -126,7 +127,7 @@ class AdaptiveMesh {
   }
 
   /// The octave as it is known, with estimates where nothing has been told yet; nothing if that takes more bytes than given.
-  [[nodiscard]] std::optional<AdaptiveOctave<D>> shown(int level, uint64_t memory = UINT64_MAX) const {
+  [[nodiscard]] ISOSTAR_SELDOM std::optional<AdaptiveOctave<D>> shown(int level, uint64_t memory = UINT64_MAX) const {
     AdaptiveOctave<D> octave;
     for (int o = std::max(told() - 1, 0); o <= level; ++o) {
       const uint64_t made = o < told() ? octaves_[static_cast<std::size_t>(o)].memory() : memoryForNext(o == 0 ? nullptr : &octave, o);
@@ -203,7 +204,7 @@ class AdaptiveMesh {
   }
 
   /// Vertices that are no longer absent on the coarser octave are there, too.
-  void takeOverFilled(int level) {
+  ISOSTAR_SELDOM void takeOverFilled(int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
     const auto& coarser = signs_[static_cast<std::size_t>(level) - 1];
@@ -244,7 +245,7 @@ class AdaptiveMesh {
   }
 
   /// An octave before its own scalars are told: from the coarser one, if there is one.
-  [[nodiscard]] AdaptiveOctave<D> next(const AdaptiveOctave<D>* coarser, int level) const {
+  [[nodiscard]] ISOSTAR_SELDOM AdaptiveOctave<D> next(const AdaptiveOctave<D>* coarser, int level) const {
     AdaptiveOctave<D> octave{signs_[static_cast<std::size_t>(level)], {}, {}};
     octave.scalars = Scalars<D>(octave.signs.table().total());
     if (coarser != nullptr) {
@@ -257,7 +258,7 @@ class AdaptiveMesh {
 
   /// Gives the vertices of an octave's leaves values, as many times larger as its steps are longer: those of other vertices
   /// are better estimated on finer octaves.
-  void estimate(int level, int finer, AdaptiveOctave<D>& octave) const {
+  ISOSTAR_SELDOM void estimate(int level, int finer, AdaptiveOctave<D>& octave) const {
     const Scalars<D> before = octave.scalars;
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars);
     if (level == this->level()) return;

@@ -8,6 +8,7 @@
 #include "layers.h"
 #include "polygonizer.h"
 #include "reconstruction.h"
+#include "seldom.h"
 
 namespace isostar {
 
@@ -16,7 +17,7 @@ class AdaptiveReconstruction : public Reconstruction {
  public:
   AdaptiveReconstruction(const Header& header, const Limits& limits) : header_(header), limits_(limits), mesh_(header.base<D>()) {}
 
-  Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
+  ISOSTAR_SELDOM Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
     constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
     const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving;

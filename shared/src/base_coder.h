@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exchange.h"
+#include "seldom.h"
 #include "simplex.h"
 
 namespace isostar {
@@ -15,7 +16,7 @@ template <int D>
 class BaseCoder {
  public:
   template <class Exchange>
-  void tell(Exchange& ask, Signs<D>& signs) {
+  ISOSTAR_SELDOM void tell(Exchange& ask, Signs<D>& signs) {
     const auto& lattice = signs.lattice();
     known_.assign(lattice.vertices(), kUnknown);
     visited_.assign(Simplex<D>::count(lattice), false);

@@ -3,6 +3,7 @@
 
 #include "isostar/isostar.h"
 #include "reconstruction.h"
+#include "seldom.h"
 
 namespace isostar {
 namespace {
@@ -113,7 +114,7 @@ void Decoder::State::feed(std::span<const std::byte> bytes) {
   else in.insert(in.end(), bytes.begin(), bytes.end());
 }
 
-bool Decoder::State::readHeader() {
+ISOSTAR_SELDOM bool Decoder::State::readHeader() {
   Header h;
   std::size_t used = 0;
   const Error e = read(in, h, used);
@@ -143,7 +144,7 @@ bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte
   return better;
 }
 
-bool Decoder::State::advance() {
+ISOSTAR_SELDOM bool Decoder::State::advance() {
   if (error != Error::None || tornShown) return false;
   if (!header && !readHeader()) return false;
   if (complete()) return false;

@@ -9,6 +9,7 @@
 #include "layers.h"
 #include "polygonizer.h"
 #include "reconstruction.h"
+#include "seldom.h"
 #include "time_slice.h"
 
 namespace isostar {
@@ -18,7 +19,7 @@ class ReconstructionIn : public Reconstruction {
  public:
   ReconstructionIn(const Header& header, const Limits& limits) : header_(header), limits_(limits), known_(header) {}
 
-  Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
+  ISOSTAR_SELDOM Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
     constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
     GeometryPass<D> pass;

@@ -4,6 +4,7 @@
 #include "exchange.h"
 #include "neighbourhood.h"
 #include "octave.h"
+#include "seldom.h"
 
 namespace isostar {
 
@@ -14,7 +15,7 @@ namespace isostar {
 template <int D>
 class RefinementCoder {
  public:
-  RefinementCoder() {
+  ISOSTAR_SELDOM RefinementCoder() {
     uint32_t near = 0, counted = 0;
     for (unsigned set = 1; set < kSets; ++set) {
       const auto& n = neighbourhoods_[set];
@@ -52,7 +53,7 @@ class RefinementCoder {
   /// The absent vertices of an octave that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
   /// fresh one has its lower corner's sign for now. No component first appears here, or its vertices would not be absent.
   template <class Exchange>
-  void fill(Exchange& ask, Signs<D>& signs, int dimension, const Signs<D>& absent) {
+  ISOSTAR_SELDOM void fill(Exchange& ask, Signs<D>& signs, int dimension, const Signs<D>& absent) {
     absent_ = nullptr;
     for (std::size_t place = 0; place < signs.table().total() && !ask.spent(signs.memory() + memory()); ++place) {
       if (absent.index(place) == Signs<D>::kNegative) continue;

@@ -6,6 +6,7 @@ import { fileURLToPath } from 'node:url';
 /** Parts of shared/; inside a part a file may include those before it. */
 const PARTS = {
   api: ['isostar.h'],
+  seldom: ['seldom.h'],
   errors: ['errors.cpp'],
   bytes: ['bytes.h'],
   lanes: ['lanes.h'],
@@ -38,6 +39,7 @@ const PARTS = {
 /** The parts that a part may include: the decoder cannot see the field, the polygonizer no coder. */
 const ARROWS = {
   api: [],
+  seldom: [],
   errors: ['api'],
   bytes: [],
   lanes: [],
@@ -46,19 +48,19 @@ const ARROWS = {
   rbmt: ['hierarchy'],
   scalars: ['hierarchy', 'lanes'],
   exchange: ['coder', 'hierarchy'],
-  traversal: ['exchange', 'coder', 'hierarchy', 'scalars'],
+  traversal: ['seldom', 'exchange', 'coder', 'hierarchy', 'scalars'],
   container: ['bytes', 'hierarchy', 'api'],
   layers: ['adaptive', 'traversal', 'container', 'hierarchy'],
-  polygonizer: ['hierarchy', 'scalars', 'api'],
+  polygonizer: ['seldom', 'hierarchy', 'scalars', 'api'],
   field: ['hierarchy', 'container', 'lanes', 'api'],
   distance: ['field', 'hierarchy', 'scalars', 'polygonizer'],
   source: ['field', 'hierarchy', 'scalars', 'polygonizer', 'api'],
-  adaptive: ['traversal', 'exchange', 'hierarchy', 'scalars', 'api'],
+  adaptive: ['seldom', 'traversal', 'exchange', 'hierarchy', 'scalars', 'api'],
   adaptiveEncoder: ['adaptive', 'field', 'distance', 'layers', 'polygonizer', 'hierarchy', 'api'],
   topologyEncoder: ['adaptive', 'container', 'polygonizer', 'rbmt', 'hierarchy'],
   encoder: ['field', 'distance', 'layers', 'adaptiveEncoder', 'topologyEncoder', 'scalars', 'api'],
-  reconstruction: ['container', 'layers', 'adaptive', 'traversal', 'hierarchy', 'scalars', 'polygonizer', 'api'],
-  decoder: ['reconstruction', 'api'],
+  reconstruction: ['seldom', 'container', 'layers', 'adaptive', 'traversal', 'hierarchy', 'scalars', 'polygonizer', 'api'],
+  decoder: ['seldom', 'reconstruction', 'api'],
 };
 
 /** The C++ library as far as the codec needs it: no threads, files, streams, clocks. */

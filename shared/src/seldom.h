@@ -1,0 +1,8 @@
+// Functions that run a few times a stream: the WebAssembly decoder, which a page must load first, has them small, not fast.
+#pragma once
+
+#ifdef __EMSCRIPTEN__
+#define ISOSTAR_SELDOM [[clang::minsize]]
+#else
+#define ISOSTAR_SELDOM
+#endif
