@@ -1,10 +1,11 @@
-// `npm run bench [-- --data DIR] [--rate] [--quick] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
+// `npm run bench [-- --data DIR] [--rate] [--figure6] [--quick] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { changes } from './changes.mjs';
 import { mainCriteria, rateCriteria } from './criteria.mjs';
+import { figure6, figure6Inputs } from './figure6.mjs';
 import { curves, figures } from './figures.mjs';
 import { defaultInputs, inputsOf } from './inputs.mjs';
 import * as native from './native.mjs';
@@ -18,6 +19,7 @@ const { values: options } = parseArgs({
   options: {
     data: { type: 'string' },  // a folder of NRRD files, with isovalues in its README.md
     rate: { type: 'boolean' },  // also against simplified meshes and other codecs, at five distances
+    figure6: { type: 'boolean' },  // instead: the paper's figure 6, of the horse and five scans
     quick: { type: 'boolean' },  // fewer points and rounds
     only: { type: 'string' },  // surfaces whose name contains this
     build: { type: 'string', default: fileURLToPath(new URL('../build', import.meta.url)) },
@@ -73,18 +75,23 @@ function report(all) {
   if (options.rate) print('the rate', rateCriteria(all));
 }
 
+async function compare(inputs) {
+  const surfaces = {};
+  const measured = await measureSizes(inputs);
+  for (const [place, raw] of measured.entries()) {
+    if (raw.triangles === 0) continue;
+    const { name } = inputs[place];
+    surfaces[name] = { ...raw, ...(await measureTimes(inputs[place])) };
+  }
+  writeFileSync(join(out, 'results.json'), JSON.stringify({ rate: Boolean(options.rate), surfaces }, null, 1));
+  const all = Object.entries(surfaces).map(([name, raw]) => ({ name, raw, ...figures(raw) }));
+  if (all.length === 0) throw new Error('bench: nothing to compare');
+  report(all);
+  console.log(`\nbench/out/: results.json, table.md, ${all.length} plots`);
+}
+
 const inputs = (options.data ? inputsOf(options.data) : defaultInputs(join(build, 'scans')))
   .filter(({ name }) => name.includes(options.only ?? ''));
 mkdirSync(out, { recursive: true });
-const surfaces = {};
-const measured = await measureSizes(inputs);
-for (const [place, raw] of measured.entries()) {
-  if (raw.triangles === 0) continue;
-  const { name } = inputs[place];
-  surfaces[name] = { ...raw, ...(await measureTimes(inputs[place])) };
-}
-writeFileSync(join(out, 'results.json'), JSON.stringify({ rate: Boolean(options.rate), surfaces }, null, 1));
-const all = Object.entries(surfaces).map(([name, raw]) => ({ name, raw, ...figures(raw) }));
-if (all.length === 0) throw new Error('bench: nothing to compare');
-report(all);
-console.log(`\nbench/out/: results.json, table.md, ${all.length} plots`);
+if (options.figure6) await figure6(program, figure6Inputs(inputs), out, options);
+else await compare(inputs);

@@ -15,6 +15,9 @@ const subject = ({ volume, isovalue }) => [volume, ...(isovalue === undefined ? 
 export const sizes = (program, input, { rate, quick }) =>
   run(program, ['sizes', ...subject(input), ...(rate ? ['--rate'] : []), ...(quick ? ['--points', '2000', '--prefixes', '6'] : [])]);
 
+export const figure6 = (program, input, { quick }) =>
+  run(program, ['figure6', ...subject(input), ...(quick ? ['--points', '2000', '--prefixes', '6'] : [])]);
+
 export const times = (program, input, folder, { quick }) =>
   run(program, ['times', ...subject(input), '--keep', folder, '--milliseconds', quick ? '200' : '1500']);
 

@@ -18,6 +18,14 @@ std::vector<std::byte> encodeIsostar(const Subject& subject, double maxError) {
   return encoded(subject, options);
 }
 
+std::vector<std::byte> encodeIsostarAdaptive(const Subject& subject, double maxError) {
+  EncodeOptions options;
+  options.isovalue = subject.isovalue;
+  options.maxError = maxError;
+  options.adaptive = true;
+  return encoded(subject, options);
+}
+
 std::vector<std::byte> encodeIsostarLossless(const Subject& subject) {
   EncodeOptions options;
   options.isovalue = subject.isovalue;

@@ -9,6 +9,8 @@
 namespace isostar::bench {
 
 std::vector<std::byte> encodeIsostar(const Subject&, double maxError);
+/// With coarse simplices where they keep the bound and are smaller.
+std::vector<std::byte> encodeIsostarAdaptive(const Subject&, double maxError);
 std::vector<std::byte> encodeIsostarLossless(const Subject&);
 
 /// A decoder that has made the most of a prefix; fails with one line where a prefix is anything but short.

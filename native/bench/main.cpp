@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 
+#include "bench/figure6.h"
 #include "bench/memory.h"
 #include "bench/sizes.h"
 #include "bench/times.h"
@@ -35,6 +36,15 @@ int main(int count, char** words) {
       ->capture_default_str();
   sizesCommand.add_flag("--rate", sizeOptions.rate, "Also simplified meshes and other codecs");
   sizesCommand.callback([&] { std::cout << sizes(readSubject(request), sizeOptions) << "\n"; });
+
+  Figure6Options figureOptions;
+  CLI::App& figureCommand = addSubject(app, "figure6", "Rate and distortion as in the paper's figure 6", request);
+  figureCommand.add_option("--points", figureOptions.points, "Points that tell a distance")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  figureCommand.add_option("--prefixes", figureOptions.prefixes, "Prefixes between the layers' ends")
+      ->capture_default_str();
+  figureCommand.callback([&] { std::cout << figure6(readSubject(request), figureOptions) << "\n"; });
 
   TimeOptions timeOptions;
   CLI::App& timesCommand = addSubject(app, "times", "Times of encoders and decoders", request);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "bench/draco_codec.h"
 #include "bench/general_codecs.h"
 #include "bench/isostar_codec.h"
 #include "bench/ruler.h"
 #include "bench/simplifier.h"
+#include "bench/stream_points.h"
 
 namespace isostar::bench {
 namespace {
@@ -20,30 +20,6 @@ using measure::Distance;
 constexpr double kOtherBounds[] = {0.4, 0.2, 0.1, 0.025, 0.0125};
 constexpr double kRatios[] = {0.85, 0.7, 0.5, 0.36, 0.26, 0.18, 0.13, 0.09, 0.06, 0.035, 0.02, 0.01, 0.005, 0.0025};
 constexpr double kCoarse = 0.05;                 // ratio below which larger steps pay, too
-constexpr double kShares[] = {0.02, 0.05, 0.1};  // of the default stream, at which low rates are judged
-
-/// Bytes and what they buy; distances are null where there is no surface yet.
-Json point(size_t bytes, const std::optional<Distance>& distance) {
-  Json json = {{"bytes", bytes}, {"rms", nullptr}, {"max", nullptr}};
-  if (distance) json["rms"] = distance->rms, json["max"] = distance->max;
-  return json;
-}
-
-StreamInfo inspected(const std::vector<std::byte>& stream) {
-  StreamInfo info;
-  require(inspect(stream, info), "inspect");
-  return info;
-}
-
-Mesh meshInGridSteps(const Decoder& decoder, const Subject& subject) {
-  Mesh mesh = meshOf(decoder, false);
-  toGridSteps(mesh, subject.volume.placement);
-  return mesh;
-}
-
-Mesh decodedMesh(const std::vector<std::byte>& stream, const Subject& subject) {
-  return meshInGridSteps(decodeIsostar(stream), subject);
-}
 
 Json layerJson(const LayerInfo& layer) {
   return {{"kind", layer.kind},
@@ -64,34 +40,6 @@ Json streamJson(const std::vector<std::byte>& stream) {
   return {{"bytes", stream.size()},
           {"bits", {{"connectivity", bits[false]}, {"geometry", bits[true]}, {"header", 8 * info.headerBytes}}},
           {"layers", layers}};
-}
-
-/// Layer ends and the bytes just before, shares, and steps of one factor from the smallest share to the whole.
-std::set<size_t> prefixSizes(const StreamInfo& info, int steps) {
-  const double all = static_cast<double>(info.bytes);
-  std::set<size_t> sizes;
-  for (const LayerInfo& layer : info.layers) sizes.insert({layer.offset - 1, layer.offset});
-  for (double share : kShares) sizes.insert(static_cast<size_t>(share * all));
-  for (int i = 1; i < steps; ++i)
-    sizes.insert(static_cast<size_t>(all * std::pow(kShares[0], static_cast<double>(i) / steps)));
-  return sizes;
-}
-
-Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, const Ruler& ruler, int steps) {
-  const StreamInfo info = inspected(stream);
-  Json points = Json::array();
-  std::optional<Distance> distance;
-  uint64_t shown = 0;
-  for (size_t bytes : prefixSizes(info, steps)) {
-    const Decoder decoder = decodeIsostar(std::span(stream).first(bytes));
-    if (decoder.level() < 0) continue;  // nothing to be seen yet
-    if (decoder.bytes() != shown) distance = ruler.distance(meshInGridSteps(decoder, subject));
-    shown = decoder.bytes();
-    Json json = point(bytes, distance);
-    json["layerEnd"] = std::ranges::any_of(info.layers, [&](const LayerInfo& layer) { return layer.offset == bytes; });
-    points.push_back(json);
-  }
-  return points;
 }
 
 /// The decoded surface against the polygonizer's own: the same triangles, and how far a coordinate is off at most.

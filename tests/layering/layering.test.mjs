@@ -22,6 +22,8 @@ const added = [
   ['shared/src/stream.cpp', '#include <glm/vec3.hpp>'],
   ['shared/src/layers.h', '#include <itkImage.h>'],
   ['native/main.cpp', '#include "stream.h"'],
+  ['native/bench/figure6/octree_codec.cpp', '#include "layers.h"'],
+  ['native/bench/figure6.cpp', '#include "bricks.h"'],
   ['wasm/bindings.cpp', '#include "../shared/src/layers.h"'],
 ];
 for (const [file, line] of added)

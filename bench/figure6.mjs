@@ -1,0 +1,48 @@
+// `npm run bench -- --figure6`: rate and distortion as in the paper's figure 6, plots and one table under bench/out/figure6/.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { bytesAt, envelope } from './curve.mjs';
+import { kilobytes, table } from './format.mjs';
+import * as native from './native.mjs';
+import { CODERS, plotFigure6 } from './plot-figure6.mjs';
+
+const SURFACES = ['horse', 'cthead-500.5', 'mri', 'engine-80.5', 'tooth-600.5', 'bonsai'];
+const DISTANCES = [0.2, 0.1, 0.05, 0.02];  // RMS, grid steps
+
+/** The paper's horse and five scans where the folder has them; all otherwise. */
+export function figure6Inputs(inputs) {
+  const chosen = SURFACES.map((name) => inputs.find((input) => input.name === name)).filter(Boolean);
+  return chosen.length > 0 ? chosen : inputs;
+}
+
+/** Progressive streams keep every point: between two layers they may show nothing new. */
+const bytes = (curves, key, rms) => bytesAt(CODERS[key].progressive ? curves[key] : envelope(curves[key]), rms);
+
+function rows(name, curves) {
+  return DISTANCES.map((rms) => ({ name, rms, ...Object.fromEntries(Object.keys(CODERS).map((key) => [key, bytes(curves, key, rms)])) }));
+}
+
+export const figure6Table = (all) =>
+  table(all.flatMap(({ name, curves }) => rows(name, curves)), [
+    ['surface', (row) => (row.rms === DISTANCES[0] ? row.name : '')],
+    ['RMS', (row) => row.rms],
+    ...Object.entries(CODERS).map(([key, { title }]) => [`${title}, kB`, (row) => kilobytes(row[key])]),
+  ]);
+
+/** Measures, draws and prints; surfaces without triangles are left out. */
+export async function figure6(program, inputs, out, options) {
+  const folder = join(out, 'figure6');
+  mkdirSync(folder, { recursive: true });
+  const all = [];
+  for (const input of inputs) {
+    const curves = await native.figure6(program, input, options);
+    if (!curves.prefixes) continue;
+    console.log(input.name);
+    all.push({ name: input.name, curves });
+    writeFileSync(join(folder, `${input.name}.svg`), plotFigure6(input.name, curves));
+  }
+  if (all.length === 0) throw new Error('bench: nothing to compare');
+  writeFileSync(join(folder, 'results.json'), JSON.stringify(Object.fromEntries(all.map(({ name, curves }) => [name, curves])), null, 1));
+  writeFileSync(join(folder, 'table.md'), `${figure6Table(all)}\n`);
+  console.log(`\n${figure6Table(all)}\n\nbench/out/figure6/: results.json, table.md, ${all.length} plots`);
+}

@@ -1,0 +1,88 @@
+#include "bench/figure6.h"
+
+#include "bench/figure6/octree_codec.h"
+#include "bench/figure6/single_rate_codec.h"
+#include "bench/isostar_codec.h"
+#include "bench/stream_points.h"
+#include "volume/placement.h"
+
+namespace isostar::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kUniformBounds[] = {0.4, 0.2, 0.1, 0.05, 0.025};
+constexpr double kAdaptiveBounds[] = {1.6, 0.8, 0.4, 0.2, 0.1};
+constexpr double kSingleRateBounds[] = {3.2, 1.6, 0.8, 0.4, 0.2, 0.1, 0.05, 0.025};
+
+Json uniform(const Subject& subject, const Ruler& ruler) {
+  Json points = Json::array();
+  for (double bound : kUniformBounds) {
+    const auto stream = encodeIsostar(subject, bound);
+    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.back()["maxError"] = bound;
+  }
+  return points;
+}
+
+/// Those streams that are not smaller as uniform ones.
+Json adaptive(const Subject& subject, const Ruler& ruler) {
+  Json points = Json::array();
+  for (double bound : kAdaptiveBounds) {
+    const auto stream = encodeIsostarAdaptive(subject, bound);
+    if (!inspected(stream).adaptive) continue;
+    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.back()["maxError"] = bound;
+  }
+  return points;
+}
+
+Json singleRate(const Subject& subject, const measure::TriangleTree& surface, const Ruler& ruler) {
+  Json points = Json::array();
+  for (const auto& stream : encodeSingleRate(subject.volume.view(), subject.isovalue, surface, kSingleRateBounds)) {
+    const SampledFunction function = decodeSingleRate(stream);
+    const Volume volume{function.samples, function.size, {}};
+    Mesh mesh;
+    require(polygonize(volume, 0, {Polygonizer::Cubes, Frame::Grid, false}, mesh), "polygonize");
+    toGridSteps(mesh, subject.volume.placement);
+    points.push_back(point(stream.size(), ruler.distance(mesh)));
+  }
+  return points;
+}
+
+Json octree(const Subject& subject, const measure::TriangleTree& surface, const Ruler& ruler) {
+  std::array<double, 3> unit = subject.volume.placement.spacing;
+  for (double& u : unit) u /= native::smallestSpacing(subject.volume.placement);
+  const auto stream = encodeOctree(subject.volume.view(), subject.isovalue, surface);
+  const auto shown = [&](size_t bytes) {
+    return point(bytes, ruler.distance(decodeOctree(std::span(stream).first(bytes), unit)));
+  };
+  Json points = Json::array();
+  size_t before = 0;
+  for (const auto& [end, signs] : octreeLayers(stream)) {
+    if (signs && before != 0) points.push_back(points.back()), points.back()["bytes"] = end - 1;
+    if (!signs) points.push_back(shown(before + (end - before) / 2));
+    if (before != 0) points.back()["layerEnd"] = false;
+    points.push_back(shown(end));
+    points.back()["layerEnd"] = true;
+    before = end;
+  }
+  return points;
+}
+
+}  // namespace
+
+Json figure6(const Subject& subject, const Figure6Options& options) {
+  Json json = {{"isovalue", subject.isovalue}, {"vertices", subject.mesh.positions.size() / 3}};
+  if (subject.mesh.triangles.empty()) return json;
+  const Ruler ruler(subject.mesh, options.points);
+  const measure::TriangleTree surface(subject.mesh);
+  json["prefixes"] = prefixes(encodeIsostar(subject, EncodeOptions{}.maxError), subject, ruler, options.prefixes);
+  json["uniform"] = uniform(subject, ruler);
+  json["adaptive"] = adaptive(subject, ruler);
+  json["singleRate"] = singleRate(subject, surface, ruler);
+  json["octree"] = octree(subject, surface, ruler);
+  return json;
+}
+
+}  // namespace isostar::bench

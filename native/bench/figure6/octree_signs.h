@@ -1,0 +1,197 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "bricks.h"
+#include "models.h"
+
+namespace isostar::bench {
+
+/// The signs of an octree's corners, level by level, after H. Lee, M. Desbrun, P. Schröder, Progressive encoding of
+/// complex isosurfaces (2003): new corners are told only where the parent has samples of both signs; of a child whose
+/// corners agree one bit says whether it has, nevertheless. What is left is of one sign.
+class OctreeSigns {
+ public:
+  OctreeSigns(const Coordinates<3>& lastSample, int levels)
+      : last_(lastSample), levels_(levels), signs_(Lattice<3>(lastSample, 1).vertices(), kUnknown) {
+    for (auto& w : signWeights_) w = Mixer<4>::fresh();
+    for (auto& w : mixedWeights_) w = Mixer<2>::fresh();
+  }
+
+  [[nodiscard]] Lattice<3> lattice(int level) const { return Lattice<3>(last_, int32_t{1} << (levels_ - level)); }
+
+  /// Tells the signs of a level; those of the level before have been told. `truth` is an OctreeTruth or an OctreeBlind.
+  template <class Coder, class Truth>
+  void tell(Coder& coder, const Truth& truth, int level) {
+    const auto grid = lattice(level);
+    std::vector<Coordinates<3>> cells;
+    if (level == 0) {
+      forEach({0, 0, 0}, grid.last, [&](const auto& v) { tellSign(coder, truth, grid, v, 0); });
+      forEach({0, 0, 0}, minusOne(grid.last), [&](const auto& cell) { cells.push_back(cell); });
+    } else {
+      // Corners on edges first, then on faces, then within: each knows all that it lies between.
+      for (int fresh = 1; fresh <= 3; ++fresh) {
+        for (const auto& parent : active_) {
+          forEach(lowest(parent), highest(grid, parent), [&](const auto& v) {
+            if (freshAxes(grid, v) == fresh) tellSign(coder, truth, grid, v, fresh);
+          });
+        }
+      }
+      for (const auto& parent : active_) {
+        forEach(lowest(parent), minusOne(highest(grid, parent)), [&](const auto& cell) { cells.push_back(cell); });
+      }
+    }
+    active_.clear();
+    for (const auto& cell : cells) {
+      if (isMixed(coder, truth, grid, level, cell))
+        active_.push_back(cell);
+      else
+        settle(grid, cell);
+    }
+  }
+
+  /// Of a vertex of a level that has been told.
+  [[nodiscard]] bool positive(const Lattice<3>& grid, const Coordinates<3>& v) const {
+    return at(grid, v) == kPositive;
+  }
+
+ private:
+  enum Sign : uint8_t { kNegative, kPositive, kUnknown };
+
+  static Coordinates<3> minusOne(Coordinates<3> v) {
+    for (int32_t& x : v) --x;
+    return v;
+  }
+  static Coordinates<3> lowest(Coordinates<3> parent) {
+    for (int32_t& x : parent) x *= 2;
+    return parent;
+  }
+  static Coordinates<3> highest(const Lattice<3>& grid, Coordinates<3> parent) {
+    for (int a = 0; a < 3; ++a) parent[a] = std::min(2 * parent[a] + 2, grid.last[a]);
+    return parent;
+  }
+  static int freshAxes(const Lattice<3>& grid, const Coordinates<3>& v) {
+    return grid.fresh(0, v[0]) + grid.fresh(1, v[1]) + grid.fresh(2, v[2]);
+  }
+  template <class Visit>
+  static void forEach(const Coordinates<3>& first, const Coordinates<3>& last, Visit visit) {
+    for (int32_t z = first[2]; z <= last[2]; ++z) {
+      for (int32_t y = first[1]; y <= last[1]; ++y) {
+        for (int32_t x = first[0]; x <= last[0]; ++x) visit(Coordinates<3>{x, y, z});
+      }
+    }
+  }
+
+  [[nodiscard]] size_t place(const Coordinates<3>& sample) const {
+    return (static_cast<size_t>(sample[2]) * static_cast<size_t>(last_[1] + 1) + static_cast<size_t>(sample[1])) *
+               static_cast<size_t>(last_[0] + 1) +
+           static_cast<size_t>(sample[0]);
+  }
+  [[nodiscard]] static Coordinates<3> sampleOf(const Lattice<3>& grid, Coordinates<3> v) {
+    for (int a = 0; a < 3; ++a) v[a] = grid.sample(a, v[a]);
+    return v;
+  }
+  [[nodiscard]] uint8_t at(const Lattice<3>& grid, const Coordinates<3>& v) const {
+    return signs_[place(sampleOf(grid, v))];
+  }
+  /// 1, -1 or, unknown, 0; mirrored at the box's end.
+  [[nodiscard]] int beside(const Lattice<3>& grid, const Coordinates<3>& v, int x, int y, int z) const {
+    const uint8_t sign = at(grid, {grid.mirrored(0, v[0] + x), grid.mirrored(1, v[1] + y), grid.mirrored(2, v[2] + z)});
+    return sign == kUnknown ? 0 : sign == kPositive ? 1 : -1;
+  }
+
+  /// Which sign the 125 vertices around speak for, the nearer ones louder: 0 … kVotes - 1.
+  [[nodiscard]] size_t vote(const Lattice<3>& grid, const Coordinates<3>& v) const {
+    static constexpr int kLoud[13] = {0, 60, 42, 26, 20, 16, 10, 0, 7, 6, 0, 0, 4};  // by squared distance
+    int sum = 0;
+    for (int z = -2; z <= 2; ++z) {
+      for (int y = -2; y <= 2; ++y) {
+        for (int x = -2; x <= 2; ++x) sum += kLoud[x * x + y * y + z * z] * beside(grid, v, x, y, z);
+      }
+    }
+    return static_cast<size_t>(std::clamp(sum / 24 + kVotes / 2, 0, kVotes - 1));
+  }
+
+  /// The corners of the parent's edge, face or cube that the vertex is the middle of, and what lies between them and
+  /// it.
+  [[nodiscard]] size_t patternBetween(const Lattice<3>& grid, const Coordinates<3>& v, int fresh) const {
+    size_t pattern = 0;
+    for (int z = -1; z <= 1; ++z) {
+      for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+          const int steps = std::abs(x) + std::abs(y) + std::abs(z);
+          const bool within =
+              (x == 0 || grid.fresh(0, v[0])) && (y == 0 || grid.fresh(1, v[1])) && (z == 0 || grid.fresh(2, v[2]));
+          if (within && (steps == 1 || steps == fresh))
+            pattern = pattern << 1 | (beside(grid, v, x, y, z) > 0 ? 1u : 0u);
+        }
+      }
+    }
+    return pattern;
+  }
+
+  /// Of those along the axes at a distance: 0 … 12.
+  [[nodiscard]] size_t sumOfSix(const Lattice<3>& grid, const Coordinates<3>& v, int distance) const {
+    int sum = 6;
+    for (int by : {-distance, distance})
+      sum += beside(grid, v, by, 0, 0) + beside(grid, v, 0, by, 0) + beside(grid, v, 0, 0, by);
+    return static_cast<size_t>(sum);
+  }
+
+  template <class Coder, class Truth>
+  void tellSign(Coder& coder, const Truth& truth, const Lattice<3>& grid, const Coordinates<3>& v, int fresh) {
+    const auto sample = sampleOf(grid, v);
+    uint8_t& sign = signs_[place(sample)];
+    if (sign != kUnknown) return;
+    const size_t between = fresh == 0 ? 0 : patternBetween(grid, v, fresh), near = sumOfSix(grid, v, 1),
+                 far = sumOfSix(grid, v, 2);
+    const auto kind = static_cast<size_t>(fresh), loud = vote(grid, v);
+    const std::array<Chance*, 4> contexts{&signByBetween_[kind][between], &signByVote_[kind][loud],
+                                          &signBySides_[kind][near][far], &signByBoth_[kind][loud / 4][between & 15]};
+    const bool told = Mixer<4>::bit<127, 10>(coder, truth.positive(sample), contexts, signWeights_[kind]);
+    sign = told ? kPositive : kNegative;
+  }
+
+  /// Has the cell samples of both signs? Its corners tell, or a bit.
+  template <class Coder, class Truth>
+  bool isMixed(Coder& coder, const Truth& truth, const Lattice<3>& grid, int level, const Coordinates<3>& cell) {
+    int positives = 0;
+    for (int corner = 0; corner < 8; ++corner)
+      positives += positive(grid, {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)});
+    if (positives != 0 && positives != 8) return true;
+    if (level == levels_) return false;
+    const std::array<Chance*, 2> contexts{&mixedByLevel_[static_cast<size_t>(std::min(level, 31))][positives != 0],
+                                          &mixedByVote_[vote(grid, cell)][positives != 0]};
+    return Mixer<2>::bit<127, 10>(coder, truth.mixed(level, cell), contexts, mixedWeights_[positives != 0]);
+  }
+
+  /// All samples of a cell of one sign.
+  void settle(const Lattice<3>& grid, const Coordinates<3>& cell) {
+    const auto first = sampleOf(grid, cell), last = sampleOf(grid, {cell[0] + 1, cell[1] + 1, cell[2] + 1});
+    const uint8_t sign = signs_[place(first)];
+    for (int32_t z = first[2]; z <= last[2]; ++z) {
+      for (int32_t y = first[1]; y <= last[1]; ++y) {
+        for (int32_t x = first[0]; x <= last[0]; ++x) signs_[place({x, y, z})] = sign;
+      }
+    }
+  }
+
+  static constexpr int kVotes = 64;
+
+  Coordinates<3> last_;
+  int levels_;
+  std::vector<uint8_t> signs_;          // by sample
+  std::vector<Coordinates<3>> active_;  // cells of the last level told with samples of both signs
+  std::array<std::array<Chance, 1 << 14>, 4> signByBetween_;
+  std::array<std::array<Chance, kVotes>, 4> signByVote_;
+  std::array<std::array<std::array<Chance, 13>, 13>, 4> signBySides_;
+  std::array<std::array<std::array<Chance, 16>, kVotes / 4>, 4> signByBoth_;
+  std::array<Mixer<4>::Weights, 4> signWeights_;
+  std::array<std::array<Chance, 2>, 32> mixedByLevel_;
+  std::array<std::array<Chance, 2>, kVotes> mixedByVote_;
+  std::array<Mixer<2>::Weights, 2> mixedWeights_;
+};
+
+}  // namespace isostar::bench
