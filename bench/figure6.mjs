@@ -2,7 +2,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { bytesAt, envelope } from './curve.mjs';
-import { kilobytes, table } from './format.mjs';
+import { fixed, kilobytes, table } from './format.mjs';
 import * as native from './native.mjs';
 import { CODERS, plotFigure6 } from './plot-figure6.mjs';
 
@@ -29,6 +29,21 @@ export const figure6Table = (all) =>
     ...Object.entries(CODERS).map(([key, { title }]) => [`${title}, kB`, (row) => kilobytes(row[key])]),
   ]);
 
+/** What the single-rate streams consist of, at the points nearest to RMS 0.1; the paper promises a bit a vertex and a symbol of {=, <, >} a leaf. */
+export const singleRateTable = (all) =>
+  table(all.map(({ name, curves }) => ({ name, ...nearest(curves.singleRate, 0.1) })), [
+    ['single rate', (row) => row.name],
+    ['RMS', (row) => fixed(row.rms, 3)],
+    ['leaves', (row) => row.leaves],
+    ['vertices', (row) => row.vertices],
+    ['bits per vertex: levels, signs', (row) => fixed((8 * row.connectivity) / row.vertices, 2)],
+    ['scalars', (row) => fixed((8 * (row.bytes - row.connectivity)) / row.vertices, 2)],
+    ['the paper’s count of levels, signs', (row) => fixed(1 + (Math.log2(3) * row.leaves) / row.vertices, 2)],
+  ]);
+
+const nearest = (points, rms) =>
+  points.filter((point) => point.rms > 0).reduce((a, b) => (Math.abs(Math.log(b.rms / rms)) < Math.abs(Math.log(a.rms / rms)) ? b : a));
+
 /** Measures, draws and prints; surfaces without triangles are left out. */
 export async function figure6(program, inputs, out, options) {
   const folder = join(out, 'figure6');
@@ -43,6 +58,7 @@ export async function figure6(program, inputs, out, options) {
   }
   if (all.length === 0) throw new Error('bench: nothing to compare');
   writeFileSync(join(folder, 'results.json'), JSON.stringify(Object.fromEntries(all.map(({ name, curves }) => [name, curves])), null, 1));
-  writeFileSync(join(folder, 'table.md'), `${figure6Table(all)}\n`);
-  console.log(`\n${figure6Table(all)}\n\nbench/out/figure6/: results.json, table.md, ${all.length} plots`);
+  const tables = `${figure6Table(all)}\n\n${singleRateTable(all)}\n`;
+  writeFileSync(join(folder, 'table.md'), tables);
+  console.log(`\n${tables}\nbench/out/figure6/: results.json, table.md, ${all.length} plots`);
 }

@@ -40,12 +40,16 @@ Json adaptive(const Subject& subject, const Ruler& ruler) {
 Json singleRate(const Subject& subject, const measure::TriangleTree& surface, const Ruler& ruler) {
   Json points = Json::array();
   for (const auto& stream : encodeSingleRate(subject.volume.view(), subject.isovalue, surface, kSingleRateBounds)) {
-    const SampledFunction function = decodeSingleRate(stream);
+    const SampledFunction function = decodeSingleRate(stream.bytes);
     const Volume volume{function.samples, function.size, {}};
     Mesh mesh;
     require(polygonize(volume, 0, {Polygonizer::Cubes, Frame::Grid, false}, mesh), "polygonize");
     toGridSteps(mesh, subject.volume.placement);
-    points.push_back(point(stream.size(), ruler.distance(mesh)));
+    Json json = point(stream.bytes.size(), ruler.distance(mesh));
+    json["connectivity"] = stream.connectivity;
+    json["leaves"] = stream.leaves;
+    json["vertices"] = stream.vertices;
+    points.push_back(json);
   }
   return points;
 }

@@ -138,7 +138,7 @@ TEST(SingleRate, decodesNearTheSource) {
       const std::vector<double> bounds{0.5, 0.1};
       size_t before = SIZE_MAX;
       for (double bound : bounds) {
-        const auto stream = encodeSingleRate(field.volume(), 0, measure::TriangleTree(source), {&bound, 1})[0];
+        const auto stream = encodeSingleRate(field.volume(), 0, measure::TriangleTree(source), {&bound, 1})[0].bytes;
         const SampledFunction decoded = decodeSingleRate(stream);
         ASSERT_EQ(decoded.size, field.size);
         const auto distance = measure::surfaceDistance(source, surfaceOf({decoded.samples, decoded.size, {}}));
@@ -183,7 +183,7 @@ TEST(Comparison, emptySurfacesAreValidStreams) {
       const auto field = sampled("empty", size, [=](double, double, double) { return value; });
       const Mesh none;
       const double bound = 0.1;
-      const auto single = encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0];
+      const auto single = encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0].bytes;
       const SampledFunction decoded = decodeSingleRate(single);
       ASSERT_EQ(decoded.samples.size(), field.samples.size());
       for (float sample : decoded.samples) EXPECT_EQ(sample > 0, value > 0);
@@ -199,7 +199,7 @@ TEST(Comparison, gridsWithoutExtentHaveNoSurface) {
       SCOPED_TRACE(described(field));
       const Mesh none;
       const double bound = 0.1;
-      const auto single = encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0];
+      const auto single = encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0].bytes;
       EXPECT_EQ(decodeSingleRate(single).samples.size(), field.samples.size());
       const auto octree = encodeOctree(field.volume(), 0, measure::TriangleTree(none));
       EXPECT_TRUE(decodeOctree(octree, {1, 1, 1}).triangles.empty());

@@ -29,6 +29,7 @@ class ScalarCoder {
       const auto sample = hierarchy_.position(leaf.vertices[i]);
       float& value = values_[place(sample)];
       if (value != 0) continue;
+      ++count_;
       const double side = positive(sample) ? 1 : -1;
       const double guess = side * predicted(leaf, from, sample) / step_;
       const auto finer = std::min(static_cast<std::size_t>(hierarchy_.levels() - leaf.level), kSizes - 1);
@@ -39,6 +40,8 @@ class ScalarCoder {
 
   /// 0 where none is known.
   [[nodiscard]] double value(const Coordinates<3>& sample) const { return values_[place(sample)]; }
+  /// Of all scalars told.
+  [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
   // Decisions: is it what is expected, or more; the difference in unary; then its bits, how many and which.
@@ -104,7 +107,8 @@ class ScalarCoder {
   Hierarchy<3> hierarchy_;
   double step_;
   std::vector<float> values_;  // by sample
-  double lastErrors_ = 0;      // differences lately, the last ones loudest
+  std::size_t count_ = 0;
+  double lastErrors_ = 0;  // differences lately, the last ones loudest
   std::array<std::array<Chance, kSizes * kGuesses>, kDecisions> bySize_;
   std::array<std::array<Chance, kSizes * kErrors>, kDecisions> byErrors_;
   std::array<std::array<Chance, kNear>, kDecisions> byGuess_;

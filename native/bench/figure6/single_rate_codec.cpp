@@ -20,46 +20,53 @@ struct Visit {
   int fresh = -1;  // of a component's first leaf, which comes from nowhere
 };
 
-/// Both directions: `ask` has the mesh or nothing, truth(sample) the scalars or anything.
-template <class Ask, class Truth>
-std::vector<Visit> tellAll(Ask& ask, GateTraversal<3>& traversal, ScalarCoder& scalars, Truth truth) {
+/// Both directions: `ask` has the mesh or nothing.
+template <class Ask>
+std::vector<Visit> tellMesh(Ask& ask, GateTraversal<3>& traversal) {
   std::vector<Visit> visits;
   traversal.tell(ask, [&](const auto& leaf, const auto* from, int fresh) {
     visits.push_back({leaf, from != nullptr ? *from : leaf, from != nullptr ? fresh : -1});
   });
-  for (const Visit& v : visits)
-    scalars.tell(
-        ask.coder(), v.leaf, v.fresh < 0 ? nullptr : &v.from, v.fresh,
-        [&](const auto& sample) { return traversal.positive(sample); }, truth);
   return visits;
 }
 
-std::vector<std::byte> encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const DistanceSamples& distances,
-                               double step) {
-  std::vector<std::byte> bytes;
-  ByteWriter header(bytes);
+/// The same: truth(sample) is the scalar or anything.
+template <class Coder, class Truth>
+void tellScalars(Coder& coder, const std::vector<Visit>& visits, const GateTraversal<3>& traversal,
+                 ScalarCoder& scalars, Truth truth) {
+  const auto positive = [&](const Coordinates<3>& sample) { return traversal.positive(sample); };
+  for (const auto& [leaf, from, fresh] : visits)
+    scalars.tell(coder, leaf, fresh < 0 ? nullptr : &from, fresh, positive, truth);
+}
+
+SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const DistanceSamples& distances, double step) {
+  SingleRateStream stream;
+  ByteWriter header(stream.bytes);
   for (int32_t last : mesh.hierarchy().box()) header.varint(static_cast<uint64_t>(last) + 1);
   const auto rounded = static_cast<float>(step);
   header.f32(rounded);
-  RangeEncoder coder(bytes);
+  RangeEncoder coder(stream.bytes);
   MeshTruth<3, RangeEncoder> ask(coder, mesh, signs);
   GateTraversal<3> traversal(mesh.hierarchy());
   ScalarCoder scalars(mesh.hierarchy(), double{rounded});
-  tellAll(ask, traversal, scalars, [&](const auto& sample) { return distances(sample); });
+  const auto visits = tellMesh(ask, traversal);
+  stream.connectivity = stream.bytes.size();
+  stream.leaves = visits.size();
+  tellScalars(coder, visits, traversal, scalars, distances);
+  stream.vertices = scalars.count();
   coder.finish();
-  return bytes;
+  return stream;
 }
 
 }  // namespace
 
-std::vector<std::vector<std::byte>> encodeSingleRate(const Volume& volume, double isovalue,
-                                                     const measure::TriangleTree& surface,
-                                                     std::span<const double> bounds) {
+std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isovalue,
+                                               const measure::TriangleTree& surface, std::span<const double> bounds) {
   const Signs<3> signs = signsOf(volume, isovalue);
   const DistanceSamples distances(volume, isovalue, signs, surface);
   const Hierarchy<3> hierarchy(lastSample(volume.size), octavesOf(volume.size));
   const auto source = [&](const Coordinates<3>& v) { return distances.source(v); };
-  std::vector<std::vector<std::byte>> streams;
+  std::vector<SingleRateStream> streams;
   for (double bound : bounds) {
     Rbmt<3> mesh(hierarchy);
     const DistanceBound<3, DistanceSamples, decltype(source)> near(hierarchy, signs, distances, source, kFlat * bound);
@@ -79,7 +86,8 @@ SampledFunction decodeSingleRate(std::span<const std::byte> bytes) {
   MeshBlind<3> ask(coder, 8);
   GateTraversal<3> traversal(hierarchy);
   ScalarCoder scalars(hierarchy, step);
-  const auto visits = tellAll(ask, traversal, scalars, [](const auto&) { return 0.0; });
+  const auto visits = tellMesh(ask, traversal);
+  tellScalars(coder, visits, traversal, scalars, [](const auto&) { return 0.0; });
   LeafField field(hierarchy);
   for (const Visit& v : visits) field.add(v.leaf, [&](const auto& sample) { return scalars.value(sample); });
   field.complete(traversal.positive({}));
