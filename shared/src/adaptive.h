@@ -35,6 +35,13 @@ class AdaptiveMesh {
  public:
   explicit AdaptiveMesh(const Lattice<D>& base) : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)) {}
 
+  /// Of an octave without absent vertices and the next one, to show what is known of it.
+  AdaptiveMesh(Signs<D> coarse, Signs<D> fine, Signs<D> absent) : absent_(1, Signs<D>(coarse.lattice())) {
+    signs_.push_back(std::move(coarse));
+    signs_.push_back(std::move(fine));
+    absent_.push_back(std::move(absent));
+  }
+
   [[nodiscard]] int level() const { return static_cast<int>(signs_.size()) - 1; }
   /// Octaves whose scalars have been told.
   [[nodiscard]] int told() const { return static_cast<int>(octaves_.size()); }
@@ -69,7 +76,7 @@ class AdaptiveMesh {
   template <class Exchange>
   ISOSTAR_SELDOM void refine(Exchange& ask) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
-    for (int dimension = D; dimension >= 1; --dimension) refinement_.bisect(ask, fine, dimension, &absent);
+    refinement_.tell(ask, fine, &absent);
     if (ask.spent()) return;  // the octave stays as it was
     signs_.push_back(std::move(fine));
     absent_.push_back(std::move(absent));

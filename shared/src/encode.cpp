@@ -126,7 +126,7 @@ class LayerWriter {
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (known_.welded) return distance.rms(known_.welded->shown(octaves_)->signs);
+    if (known_.partial) return distance.rms(known_.partial->shown(octaves_)->signs);
     if (known_.level < octaves_) return distance.rms(known_.signs);
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars);
     const NearSurface<D>& last = known_.near.surfaces().back();

@@ -75,8 +75,8 @@ struct Knowledge {
   template <class Exchange>
   void base(Exchange& ask) {
     if (header.keepsTopology && header.octaves() > 0) {
-      welded.emplace(header.base<D>());
-      welded->tellAll(ask, header.octaves());
+      partial.emplace(header.base<D>());
+      partial->tellAll(ask, header.octaves());
     } else {
       BaseCoder<D>().tell(ask, signs);
     }
@@ -84,10 +84,13 @@ struct Knowledge {
 
   template <class Exchange>
   void refine(Exchange& ask) {
-    if (welded) return fill(ask);
+    if (partial) return fill(ask);
     Signs<D> finer = refined(signs);
-    for (int dimension = D; dimension >= 1; --dimension) refinement.bisect(ask, finer, dimension);
-    if (ask.spent()) return;  // the octave stays as it was
+    refinement.tell(ask, finer);
+    if (ask.spent()) {  // the octave stays as it was
+      unfinished = std::move(finer);
+      return;
+    }
     signs = std::move(finer);
     ++level;
   }
@@ -95,11 +98,23 @@ struct Knowledge {
   /// The next octave of a mesh that has been welded as far as the topology allows.
   template <class Exchange>
   void fill(Exchange& ask) {
-    welded->fill(ask, level + 1);
+    partial->fill(ask, level + 1);
     if (ask.spent()) return;
     if (++level < header.octaves()) return;
-    signs = welded->takeSigns();
-    welded.reset();
+    signs = partial->takeSigns();
+    partial.reset();
+  }
+
+  /// Takes an octave that has been told in part, the stream being at its end, for what it is.
+  void keepUnfinished() {
+    if (!refinement.began()) return;
+    Signs<D> untold = refinement.untold(unfinished);
+    partial.emplace(std::move(signs), std::move(unfinished), std::move(untold));
+  }
+  /// Bytes that this takes at most.
+  [[nodiscard]] uint64_t memoryToKeepUnfinished() const {
+    const std::size_t places = unfinished.table().total();
+    return memory() + unfinished.memory() + Signs<D>::memoryToFill(places, places);
   }
 
   template <class Exchange>
@@ -134,7 +149,7 @@ struct Knowledge {
 
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
-  [[nodiscard]] uint64_t memoryBesideScalars() const { return signs.memory() + refinement.memory() + active.capacity() + (welded ? welded->memory() : 0); }
+  [[nodiscard]] uint64_t memoryBesideScalars() const { return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() + (partial ? partial->memory() : 0); }
   /// What it takes to begin the first geometry layer, or to go on.
   [[nodiscard]] uint64_t memoryForScalars() const {
     const std::size_t places = signs.table().total();
@@ -142,7 +157,7 @@ struct Knowledge {
   }
   /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
   [[nodiscard]] uint64_t memoryToRefine() const {
-    if (welded) return memoryBesideScalars();
+    if (partial) return memoryBesideScalars();
     const BrickTable<D> finer(signs.lattice().finer());
     uint64_t bricks = uint64_t{signs.brickCount()} << D;
     for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
@@ -152,7 +167,9 @@ struct Knowledge {
   const Header& header;
   Signs<D> signs;
   int level;
-  std::optional<AdaptiveMesh<D>> welded;  // instead of the signs, of a stream that keeps the topology, before its finest octave
+  /// Instead of the signs: of a stream that keeps the topology, before its finest octave; and of one that ends within an octave.
+  std::optional<AdaptiveMesh<D>> partial;
+  Signs<D> unfinished;  // of an octave that has been told in part
   RefinementCoder<D> refinement;
   std::vector<uint8_t> active;  // bricks of the finest octave; empty before the first geometry layer
   Scalars<D> scalars;

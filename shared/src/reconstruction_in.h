@@ -25,7 +25,7 @@ class ReconstructionIn : public Reconstruction {
     GeometryPass<D> pass;
     pass.kind = head.kind;
     const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving || head.kind == LayerKind::NearGeometry;
-    if (torn && !geometry) return {};  // an octave shows only as a whole
+    if (torn && !geometry && (head.kind != LayerKind::Refinement || known_.partial)) return {};  // these show only as a whole
     if (geometry) {
       ByteReader fields(bytes);
       if (head.kind == LayerKind::NearGeometry) pass.kind = static_cast<LayerKind>(fields.u8());
@@ -52,6 +52,7 @@ class ReconstructionIn : public Reconstruction {
     const Error error = ask.overBudget() ? Error::OverLimit : !torn && ask.spent() ? Error::Corrupt : Error::None;
     torn_ = torn || error != Error::None;
     based_ = based_ || error == Error::None;
+    if (torn && head.kind == LayerKind::Refinement && error == Error::None) return {Error::None, showsUnfinished()};
     return {error, error == Error::None};
   }
 
@@ -103,6 +104,14 @@ class ReconstructionIn : public Reconstruction {
     return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == octaves;
   }
 
+  /// Takes over an octave that has been told in part, if the limits allow it.
+  bool showsUnfinished() {
+    if (known_.unfinished.table().total() == 0) return true;  // nothing that matters was missing
+    if (known_.memoryToKeepUnfinished() > limits_.memory) return false;
+    known_.keepUnfinished();
+    return known_.partial.has_value();
+  }
+
   /// What is left of the limits where so many bytes are held.
   [[nodiscard]] Limits left(uint64_t held) const { return {limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory)}; }
 
@@ -134,7 +143,7 @@ class ReconstructionIn : public Reconstruction {
     if (const NearSurface<D>* near = known_.near.find(isovalue)) {
       return withCompleted({near->signs, near->active, near->scalars, near->told}, header_.at(isovalue), options, held, make);
     }
-    if (known_.welded) return withWelded(held, make);
+    if (known_.partial) return withPartial(held, make);
     if (known_.active.empty()) return withEstimated(options, held, make);
     if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told}, header_, options, held, make);
     return withBetween(isovalue, options, held, make);
@@ -142,8 +151,8 @@ class ReconstructionIn : public Reconstruction {
 
   /// Of a mesh that has not all vertices yet.
   template <class Make>
-  Error withWelded(uint64_t held, Make make) const {
-    const auto octave = known_.welded->shown(header_.octaves(), left(held).memory);
+  Error withPartial(uint64_t held, Make make) const {
+    const auto octave = known_.partial->shown(known_.partial->level(), left(held).memory);
     if (!octave) return Error::OverLimit;
     const double offset = 2 * header_.positiveOffset - 1;
     return make(Surface<D>{octave->signs, octave->scalars, offset, offset, header_.placement}, held + octave->memory());

@@ -29,26 +29,45 @@ class RefinementCoder {
     weights_.fill(Mixer<kInputs>::fresh());
   }
 
-  /// One bisection of the whole octave: tells the vertices fresh on `dimension` axes, D first. Of an adaptive octave
-  /// (§5.2) `absent` are the vertices that are not in the mesh: the first bisection tells of each crossing cell whether
-  /// it stays whole, and a vertex whose diamond has an absent one is absent too, so that the mesh conforms.
+  /// All bisections of an octave, slab of bricks by slab: each bisection follows the one before a slab behind, where all
+  /// that it looks at has been told, so that of a stream that ends early whole slabs are known. Of an adaptive octave (§5.2)
+  /// `absent` are the vertices that are not in the mesh: the first bisection tells of each crossing cell whether it stays
+  /// whole, and a vertex whose diamond has an absent one is absent too, so that the mesh conforms.
   template <class Exchange>
-  void bisect(Exchange& ask, Signs<D>& signs, int dimension, Signs<D>* absent = nullptr) {
+  void tell(Exchange& ask, Signs<D>& signs, Signs<D>* absent = nullptr) {
     absent_ = absent;
-    if (dimension == D) active_ = activeBricks(signs);
+    active_ = activeBricks(signs);
     if (absent != nullptr) {
       const auto near = activeBricks(*absent);
       for (std::size_t place = 0; place < near.size(); ++place) active_[place] |= near[place];
     }
-    for (std::size_t first = 0; first < active_.size() && !ask.spent(signs.memory() + memory()); first += kGroup) {
-      quietGroup(ask, signs, dimension, first, std::min(first + kGroup, active_.size()));
+    slabsTold_.fill(0);
+    const auto slabs = static_cast<std::size_t>(signs.table().count(D - 1));
+    for (std::size_t step = 0; step < slabs + D - 1; ++step) {
+      for (int dimension = D; dimension >= 1; --dimension) {
+        const std::size_t slab = step + static_cast<std::size_t>(dimension) - D;  // wraps around before the first
+        if (slab >= slabs) continue;
+        bisect(ask, signs, dimension, slab);
+        if (ask.spent(signs.memory() + memory())) return;
+        ++slabsTold_[static_cast<std::size_t>(dimension)];
+      }
     }
-    for (std::size_t place = 0; place < active_.size() && !ask.spent(signs.memory() + memory()); ++place) {
-      if (active_[place] != 0) brick(ask, signs, place, dimension);
-    }
-    for (const std::size_t place : changedPlaces_) activateAround(signs, place, active_);
-    changedPlaces_.clear();
   }
+
+  /// Of an octave that has been told in part: the fresh vertices near the surface that have not.
+  [[nodiscard]] Signs<D> untold(const Signs<D>& signs) const {
+    Signs<D> result(signs.lattice());
+    const std::size_t slab = signs.table().stride(D - 1);
+    for (std::size_t place = 0; place < active_.size(); ++place) {
+      if (active_[place] == 0) continue;
+      forEachFresh(signs.lattice(), signs.table().brick(place), [&](const Coordinates<D>& v, std::size_t dimension) {
+        if (place / slab >= slabsTold_[dimension]) result.set(v, true);
+      });
+    }
+    return result;
+  }
+  /// Has anything of the octave been told?
+  [[nodiscard]] bool began() const { return slabsTold_[D] != 0; }
 
   /// The absent vertices of an octave that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
   /// fresh one has its lower corner's sign for now. No component first appears here, or its vertices would not be absent.
@@ -69,7 +88,7 @@ class RefinementCoder {
   }
 
   /// Bytes in use beside the models, while one more place changes.
-  [[nodiscard]] uint64_t memory() const { return active_.capacity() + memoryToGrow(changedPlaces_); }
+  [[nodiscard]] uint64_t memory() const { return active_.capacity() + memoryToGrow(changedPlaces_) + memoryToGrow(absentPlaces_); }
 
  private:
   static constexpr int kInputs = 3;
@@ -78,6 +97,40 @@ class RefinementCoder {
   static constexpr std::size_t kGroup = 64;  // quiet bricks in a row that share a flag
   static constexpr std::size_t kBrickRows = power(kBrickSide, D - 1);
   using Bits = uint32_t;
+
+  /// One bisection of a slab: tells the vertices fresh on `dimension` axes.
+  template <class Exchange>
+  void bisect(Exchange& ask, Signs<D>& signs, int dimension, std::size_t slab) {
+    const std::size_t size = signs.table().stride(D - 1), begin = slab * size, end = begin + size;
+    for (std::size_t first = begin; first < end && !ask.spent(signs.memory() + memory()); first += kGroup) {
+      quietGroup(ask, signs, dimension, first, std::min(first + kGroup, end));
+    }
+    for (std::size_t place = begin; place < end && !ask.spent(signs.memory() + memory()); ++place) {
+      if (active_[place] != 0) brick(ask, signs, place, dimension);
+    }
+    for (const std::size_t place : changedPlaces_) activateAround(signs, place, active_);
+    changedPlaces_.clear();
+    for (const std::size_t place : absentPlaces_) activateAround(*absent_, place, active_);
+    absentPlaces_.clear();
+  }
+
+  /// Calls visit(v, on how many axes it is fresh) for the fresh vertices of a brick.
+  template <class Visit>
+  static void forEachFresh(const Lattice<D>& lattice, const Coordinates<D>& brick, Visit visit) {
+    Coordinates<D> low, high;
+    for (int a = 0; a < D; ++a) {
+      low[a] = brick[a] * kBrickSide;
+      high[a] = std::min(low[a] + kBrickSide - 1, lattice.last[a]);
+    }
+    for (auto v = low;;) {
+      std::size_t dimension = 0;
+      for (int a = 0; a < D; ++a) dimension += lattice.fresh(a, v[a]) ? 1 : 0;
+      if (dimension != 0) visit(v, dimension);
+      int a = 0;
+      for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
+      if (a == D) return;
+    }
+  }
 
   /// By the set of fresh axes; made once, at run time, since the tables would be a large part of a small decoder.
   static const std::array<Neighbourhood<D>, kSets>& neighbourhoods() {
@@ -142,6 +195,7 @@ class RefinementCoder {
     Bits any = 0;
     for (int i = 0; i < rowCount_; ++i) any |= rows_[i].absent;
     if (any == 0) return;
+    absentPlaces_.push_back(place);
     auto& rows = absent_->writable(place).rows;
     for (int i = 0; i < rowCount_; ++i) rows[rows_[i].brick] = static_cast<uint8_t>(rows[rows_[i].brick] | rows_[i].absent);
   }
@@ -324,7 +378,8 @@ class RefinementCoder {
 
   const std::array<Neighbourhood<D>, kSets>& neighbourhoods_ = neighbourhoods();
   std::vector<uint8_t> active_;  // bricks of the octave in work, as of activeBricks()
-  std::vector<std::size_t> changedPlaces_;
+  std::vector<std::size_t> changedPlaces_, absentPlaces_;  // in this bisection of this slab
+  std::array<std::size_t, D + 1> slabsTold_{};             // by bisection
   Window<D> window_;
   Signs<D>* absent_ = nullptr;  // null: all are in the mesh
   Window<D> absentWindow_;

@@ -63,6 +63,28 @@ TEST(Prefix, errorFallsLayerByLayer) {
   }
 }
 
+TEST(Prefix, errorFallsWithinAnOctave) {
+  const Size size{90, 90, 90};
+  const auto field = sampled("sphere", size, sphere(size));
+  const Bytes bytes = encoded(field);
+  const auto layers = decoderOf(bytes).info().layers;
+  const auto errorAt = [&](std::size_t length) {
+    const Decoder decoder = decoderOf(std::span(bytes).first(length));
+    EXPECT_EQ(decoder.bytes(), length);
+    return distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 89 + 0.013);
+  };
+  for (std::size_t i = 1; i < layers.size(); ++i) {
+    if (layers[i].kind != "refinement" || layers[i].bytes < 300) continue;
+    SCOPED_TRACE("octave " + std::to_string(layers[i].level));
+    double before = errorAt(layers[i - 1].offset);
+    for (const std::size_t sixth : {3, 4, 5, 6}) {
+      const double error = errorAt(layers[i].offset - layers[i].bytes + layers[i].bytes * sixth / 6);
+      EXPECT_LT(error, before);
+      before = error;
+    }
+  }
+}
+
 TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
   const Size size{60, 60, 60};
   const auto field = sampled("sphere", size, sphere(size));

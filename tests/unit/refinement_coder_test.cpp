@@ -30,7 +30,7 @@ struct Side {
   template <class Exchange>
   void refine(Exchange& ask) {
     signs = refined(signs);
-    for (int dimension = D; dimension >= 1; --dimension) coder->bisect(ask, signs, dimension);
+    coder->tell(ask, signs);
   }
 };
 
