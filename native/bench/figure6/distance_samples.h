@@ -16,6 +16,7 @@ class DistanceSamples {
  public:
   /// `surface` is the source's, in grid steps; without triangles it is next to every sample. All must outlive it.
   DistanceSamples(const Volume& volume, double isovalue, const Signs<3>& signs, const measure::TriangleTree& surface);
+  DistanceSamples(const DistanceSamples&) = delete;  // it is as large as the volume
 
   double operator()(const Coordinates<3>& sample) const;
   /// The source's own scalar.

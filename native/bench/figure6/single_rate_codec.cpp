@@ -52,7 +52,7 @@ SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const Dista
   const auto visits = tellMesh(ask, traversal);
   stream.connectivity = stream.bytes.size();
   stream.leaves = visits.size();
-  tellScalars(coder, visits, traversal, scalars, distances);
+  tellScalars(coder, visits, traversal, scalars, [&](const auto& sample) { return distances(sample); });
   stream.vertices = scalars.count();
   coder.finish();
   return stream;
