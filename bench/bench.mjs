@@ -3,6 +3,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { atOnce } from './at-once.mjs';
 import { changes } from './changes.mjs';
 import { mainCriteria, rateCriteria } from './criteria.mjs';
 import { figure6, figure6Inputs } from './figure6.mjs';
@@ -30,16 +31,11 @@ const build = resolve(options.build);
 const program = join(build, 'isostar_bench');
 
 async function measureSizes(inputs) {
-  const waiting = inputs.map((input, place) => ({ input, place }));
-  const results = [];
-  const worker = async () => {
-    for (let next; (next = waiting.shift());) {
-      results[next.place] = await native.sizes(program, next.input, options);
-      console.log(`${next.input.name}: ${results[next.place].default?.bytes ?? 'no surface, no'} bytes`);
-    }
-  };
-  await Promise.all(Array.from({ length: AT_ONCE }, worker));
-  return results;
+  return atOnce(AT_ONCE, inputs, async (input) => {
+    const result = await native.sizes(program, input, options);
+    console.log(`${input.name}: ${result.default?.bytes ?? 'no surface, no'} bytes`);
+    return result;
+  });
 }
 
 async function measureTimes(input) {
@@ -93,5 +89,5 @@ async function compare(inputs) {
 const inputs = (options.data ? inputsOf(options.data) : defaultInputs(join(build, 'scans')))
   .filter(({ name }) => name.includes(options.only ?? ''));
 mkdirSync(out, { recursive: true });
-if (options.figure6) await figure6(program, figure6Inputs(inputs), out, options);
+if (options.figure6) await figure6((input) => native.figure6(program, input, options), AT_ONCE, figure6Inputs(inputs), out);
 else await compare(inputs);

@@ -1,9 +1,9 @@
 // `npm run bench -- --figure6`: rate and distortion as in the paper's figure 6, plots and one table under bench/out/figure6/.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { atOnce } from './at-once.mjs';
 import { bytesAt, envelope } from './curve.mjs';
 import { fixed, kilobytes, table } from './format.mjs';
-import * as native from './native.mjs';
 import { CODERS, plotFigure6 } from './plot-figure6.mjs';
 
 const SURFACES = ['horse', 'cthead-500.5', 'mri', 'engine-80.5', 'tooth-600.5', 'bonsai'];
@@ -44,19 +44,18 @@ export const singleRateTable = (all) =>
 const nearest = (points, rms) =>
   points.filter((point) => point.rms > 0).reduce((a, b) => (Math.abs(Math.log(b.rms / rms)) < Math.abs(Math.log(a.rms / rms)) ? b : a));
 
-/** Measures, draws and prints; surfaces without triangles are left out. */
-export async function figure6(program, inputs, out, options) {
+/** Draws and prints what measure(input) gives; surfaces without triangles are left out. */
+export async function figure6(measure, count, inputs, out) {
   const folder = join(out, 'figure6');
   mkdirSync(folder, { recursive: true });
-  const all = [];
-  for (const input of inputs) {
-    const curves = await native.figure6(program, input, options);
-    if (!curves.prefixes) continue;
+  const measured = await atOnce(count, inputs, async (input) => {
+    const curves = await measure(input);
     console.log(input.name);
-    all.push({ name: input.name, curves });
-    writeFileSync(join(folder, `${input.name}.svg`), plotFigure6(input.name, curves));
-  }
+    return { name: input.name, curves };
+  });
+  const all = measured.filter(({ curves }) => curves.prefixes);
   if (all.length === 0) throw new Error('bench: nothing to compare');
+  for (const { name, curves } of all) writeFileSync(join(folder, `${name}.svg`), plotFigure6(name, curves));
   writeFileSync(join(folder, 'results.json'), JSON.stringify(Object.fromEntries(all.map(({ name, curves }) => [name, curves])), null, 1));
   const tables = `${figure6Table(all)}\n\n${singleRateTable(all)}\n`;
   writeFileSync(join(folder, 'table.md'), tables);

@@ -12,8 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kUniformBounds[] = {0.4, 0.2, 0.1, 0.05, 0.025};
-constexpr double kAdaptiveBounds[] = {1.6, 0.8, 0.4, 0.2, 0.1};
-constexpr double kSingleRateBounds[] = {3.2, 1.6, 0.8, 0.4, 0.2, 0.1, 0.05, 0.025};
+constexpr double kAdaptiveBounds[] = {0.8, 0.4, 0.2, 0.1};
+constexpr double kSingleRateBounds[] = {1.6, 0.8, 0.4, 0.2, 0.1, 0.05};
 
 Json uniform(const Subject& subject, const Ruler& ruler) {
   Json points = Json::array();

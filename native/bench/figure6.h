@@ -8,7 +8,7 @@ namespace isostar::bench {
 
 struct Figure6Options {
   size_t points = 10000;  // that tell a distance
-  int prefixes = 24;      // of the default stream, besides those that end with a layer
+  int prefixes = 12;      // of the default stream, besides those that end with a layer
 };
 
 /// Rate and distortion as in the paper's figure 6: points { bytes, rms, max } of uniform, adaptive and single-rate streams and
