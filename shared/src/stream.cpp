@@ -49,6 +49,12 @@ bool differ(const std::array<double, N>& a, const std::array<double, N>& b, std:
   return !std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(axes), b.begin());
 }
 
+/// An isovalue in steps of 1 or of kByteStep; so far away that no sample is there it stays finite.
+double stepsOf(double isovalue, double step) {
+  constexpr double kFar = 1e300;
+  return step == 1 ? isovalue : std::clamp(isovalue * 255, -kFar, kFar);
+}
+
 }  // namespace
 
 bool invertible(const Placement& p) {
@@ -77,7 +83,7 @@ int Header::octaves() const {
 void Header::countWhole(double step) {
   whole = true;
   quantum = step;
-  const double steps = step == 1 ? isovalue : isovalue * 255, fraction = steps - std::floor(steps);
+  const double steps = stepsOf(isovalue, step), fraction = steps - std::floor(steps);
   positiveOffset = 1 - fraction;
   negativeOffset = fraction;
 }
@@ -99,7 +105,7 @@ bool Header::spans(double other) const {
 }
 
 int32_t Header::shift(double other) const {
-  const auto steps = [&](double value) { return std::floor(quantum == 1 ? value : value * 255); };
+  const auto steps = [&](double value) { return std::floor(stepsOf(value, quantum)); };
   const double quanta = whole ? steps(other) - steps(isovalue) : std::round((other - isovalue) / quantum);
   return static_cast<int32_t>(std::clamp<double>(quanta, -kFarQuanta, kFarQuanta));
 }

@@ -97,6 +97,21 @@ TEST(Header, asFewOctavesAsTheBaseAllows) {
   }
 }
 
+TEST(Header, farIsovaluesHaveOffsetsAndShifts) {
+  for (const double step : {1.0, Header::kByteStep}) {
+    for (const double isovalue : {1e308, -1e308}) {
+      Header h;
+      h.isovalue = isovalue;
+      h.countWhole(step);
+      EXPECT_EQ(h.positiveOffset, 1);
+      EXPECT_EQ(h.negativeOffset, 0);
+      EXPECT_EQ(h.shift(isovalue), 0);
+      EXPECT_EQ(h.shift(0), isovalue > 0 ? -Header::kFarQuanta : Header::kFarQuanta);
+      EXPECT_EQ(h.shift(-isovalue), h.shift(0));
+    }
+  }
+}
+
 TEST(Header, eachPrefixIsTruncated) {
   const Bytes bytes = written(full());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -137,8 +152,14 @@ TEST(Header, fieldsAtTheirBounds) {
   header.dimension = 4;
   header.size[3] = 0;
   EXPECT_EQ(errorOf(header), Error::Corrupt);
-  header.dimension = 5;
-  EXPECT_EQ(errorOf(header), Error::UnsupportedVersion);
+}
+
+TEST(Header, aFifthDimensionIsOfALaterVersion) {
+  Bytes bytes = written(full());
+  bytes[3] |= std::byte{3};
+  Header back;
+  std::size_t used = 0;
+  EXPECT_EQ(read(bytes, back, used), Error::UnsupportedVersion);
 }
 
 TEST(LayerHead, comesBack) {
