@@ -139,7 +139,8 @@ class AdaptiveMesh {
     for (int o = std::max(told() - 1, 0); o <= level; ++o) {
       const uint64_t made = o < told() ? octaves_[static_cast<std::size_t>(o)].memory() : memoryForNext(o == 0 ? nullptr : &octave, o);
       if (octave.memory() + made > memory) return std::nullopt;
-      octave = o < told() ? octaves_[static_cast<std::size_t>(o)] : next(o == 0 ? nullptr : &octave, o);
+      if (o < told()) octave = octaves_[static_cast<std::size_t>(o)];
+      else octave = next(o == 0 ? nullptr : &octave, o);
       // Those known are copied while the others are estimated.
       const auto bricks = octave.scalars.brickCount() + static_cast<std::size_t>(std::count(octave.active.begin(), octave.active.end(), 1));
       if (octave.memory() + 2 * Scalars<D>::memoryOf(octave.active.size(), bricks) > memory) return std::nullopt;

@@ -14,7 +14,7 @@ std::unique_ptr<Reconstruction> reconstructionOf(const Header& header, const Lim
   switch (header.dimension) {
     case 2: return std::make_unique<ReconstructionIn<2>>(header, limits);
     case 3: return std::make_unique<ReconstructionIn<3>>(header, limits);
-    case 4: return std::make_unique<ReconstructionIn<4>>(header, limits);
+    case 4: return header.keepsTopology ? nullptr : std::make_unique<ReconstructionIn<4>>(header, limits);
     default: return nullptr;
   }
 }

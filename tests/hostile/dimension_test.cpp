@@ -78,5 +78,16 @@ TEST(HostileDimensions, noiseIsHarmless) {
   }
 }
 
+TEST(HostileDimensions, meshesAreOfImagesAndVolumes) {
+  Header header;
+  header.dimension = 4;
+  header.size = {9, 9, 9, 9};
+  for (const bool adaptive : {false, true}) {
+    header.adaptive = adaptive;
+    header.keepsTopology = !adaptive;
+    EXPECT_EQ(decoderOf(assembled(header, {})).error(), Error::UnsupportedVersion);
+  }
+}
+
 }  // namespace
 }  // namespace isostar

@@ -64,6 +64,12 @@ Bytes streamOf(const Header& header, Payload payload) {
   return assembled(header, layers);
 }
 
+Header weldedOf(const Size& size) {
+  Header header = headerOf(size);
+  header.keepsTopology = true;
+  return header;
+}
+
 Header severalOf(const Size& size, bool whole = true) {
   Header header = headerOf(size);
   header.whole = whole;
@@ -125,6 +131,53 @@ TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
   }
 }
 
+/// The same of an adaptive mesh.
+template <class Payload>
+Bytes adaptiveStreamOf(Header header, Payload payload) {
+  header.adaptive = true;
+  std::vector<std::pair<LayerHead, Bytes>> layers;
+  AdaptiveMesh<3> mesh(header.base<3>());
+  for (int level = 0; level <= header.octaves(); ++level) {
+    const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
+    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? mesh.base(ask) : mesh.refine(ask); })});
+  }
+  for (int level = 0; level <= header.octaves(); ++level) {
+    for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) {
+      const GeometryPass<3> pass{kind, Members::AxisEnds, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
+      Bytes bytes = fieldsOf(pass);
+      const Bytes told = payload([&](auto& ask) {
+        if (kind == LayerKind::Octaves) mesh.tellOctaves(ask, pass.depth, header.polygonizer);
+        else mesh.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
+      });
+      bytes.insert(bytes.end(), told.begin(), told.end());
+      layers.push_back({{kind, level, 0.1, 0, 0}, bytes});
+    }
+  }
+  return assembled(header, layers);
+}
+
+TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
+  for (const Size& size : {Size{9, 9, 9}, Size{17, 12, 30}}) {
+    for (uint64_t seed = 0; seed < 8; ++seed) {
+      SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
+      const double rate = std::array{0.5, 1.0, 0.03, 0.97}[seed / 2];
+      const auto dice = [&](auto tell) { return thrown<3>(++seed * 100, rate, tell); };
+      for (const Bytes& bytes : {diceStream(weldedOf(size), seed, rate), adaptiveStreamOf(headerOf(size), dice)}) {
+        const Decoder decoder = harmlesslyDecoded(bytes);
+        EXPECT_EQ(decoder.error(), Error::None);
+        for (const Polygonizer polygonizer : kPolygonizers) expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
+      }
+    }
+  }
+  for (const Size& size : kHostileSizes) {
+    for (std::size_t length : {0u, 20u, 1000u}) {
+      uint64_t seed = length;
+      (void)harmlesslyDecoded(noiseStream(weldedOf(size), length, seed));
+      (void)harmlesslyDecoded(adaptiveStreamOf(headerOf(size), [&](auto) { return noiseOf(length, ++seed); }));
+    }
+  }
+}
+
 /// Answers as large as they can be.
 struct SteepField {
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return (1u << 29) - 1; }
@@ -171,13 +224,15 @@ std::size_t peakOf(const Bytes& bytes, const Limits& limits, Error& error) {
 TEST(HostileNoise, staysWithinTheMemoryAllowed) {
   for (const Size& size : {Size{100, 100, 100}, Size{1 << 19, 1, 1}, Size{2, 2, 1 << 17}}) {
     for (const double rate : {0.5, 1.0}) {
-      const Bytes bytes = diceStream(headerOf(size), 5, rate);
-      for (const std::size_t megabytes : {1u, 4u}) {
-        Error error;
-        const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
-        EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size())
-            << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate;
-        EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+      for (const Header& header : {headerOf(size), weldedOf(size)}) {
+        const Bytes bytes = diceStream(header, 5, rate);
+        for (const std::size_t megabytes : {1u, 4u}) {
+          Error error;
+          const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
+          EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size())
+              << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate << (header.keepsTopology ? ", welded" : "");
+          EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+        }
       }
     }
   }
@@ -198,16 +253,17 @@ TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
 TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
   // All decisions are false: no surface, but a table of bricks for each octave of a huge box.
   for (const Size& size : {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
-    const Header header = headerOf(size);
-    std::vector<std::pair<LayerHead, Bytes>> layers;
-    for (int level = 0; level <= header.octaves(); ++level) {
-      layers.push_back(
-          {{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
+    for (const Header& header : {headerOf(size), weldedOf(size)}) {
+      std::vector<std::pair<LayerHead, Bytes>> layers;
+      for (int level = 0; level <= header.octaves(); ++level) {
+        layers.push_back(
+            {{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
+      }
+      Error error;
+      EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error), (1u << 20) + kModels)
+          << testing::PrintToString(size);
+      EXPECT_EQ(error, Error::OverLimit) << testing::PrintToString(size);
     }
-    Error error;
-    EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error), (1u << 20) + kModels)
-        << testing::PrintToString(size);
-    EXPECT_EQ(error, Error::OverLimit) << testing::PrintToString(size);
   }
 }
 

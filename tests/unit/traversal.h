@@ -63,6 +63,7 @@ std::vector<std::byte> thrown(uint64_t seed, double rate, Tell tell) {
   struct Blind : TruthExchange<D, Dice, NoScalars> {
     using TruthExchange<D, Dice, NoScalars>::TruthExchange;
     [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
+    [[nodiscard]] uint32_t keptRow(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
     [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
     [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const {
