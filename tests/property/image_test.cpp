@@ -92,8 +92,8 @@ TEST(ImageContours, ofTheSourceAreMarchingSquares) {
     expectSound(contours, image.size);
     const Segments expected = marchingSquares(image), found = segmentsOf(contours);
     ASSERT_EQ(found.size(), expected.size());
-    for (const auto& [from, to] : expected) {
-      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& s) { return near(s.first, from) && near(s.second, to); }));
+    for (const auto& segment : expected) {
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& s) { return near(s.first, segment.first) && near(s.second, segment.second); }));
     }
     EXPECT_EQ(contours.positiveCorner, image.positive(0, 0, 0.5));
   });
