@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 #include "isostar/isostar.h"
 
@@ -41,28 +42,38 @@ inline void demand(bool truth) {
   if (!truth) std::abort();
 }
 
-/// Makes both meshes, or contours, of what a decoder shows.
-inline void demandSoundMeshes(const Decoder& decoder) {
+inline void demandSound(const Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size() / 3;
+  demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() && mesh.triangles.size() % 3 == 0);
+  for (uint32_t v : mesh.triangles) demand(v < vertices);
+  for (float v : mesh.positions) demand(std::isfinite(v));
+  for (float v : mesh.normals) demand(std::isfinite(v));
+}
+
+/// Makes all meshes, or contours, of what a decoder shows: of both polygonizers, each isovalue and one in between, on a frame and off it.
+inline void demandSoundSurfaces(const Decoder& decoder) {
+  std::vector<double> isovalues = decoder.info().isovalues;
+  if (isovalues.size() > 1) isovalues.push_back(0.7 * isovalues.front() + 0.3 * isovalues.back());
   for (const Polygonizer polygonizer : {Polygonizer::Cubes, Polygonizer::Tetrahedra}) {
-    Mesh mesh;
-    if (decoder.mesh({polygonizer, Frame::World, true}, mesh) != Error::None) continue;
-    const std::size_t vertices = mesh.positions.size() / 3;
-    demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() &&
-           mesh.triangles.size() % 3 == 0);
-    for (uint32_t v : mesh.triangles) demand(v < vertices);
-    for (float v : mesh.positions) demand(std::isfinite(v));
-    for (float v : mesh.normals) demand(std::isfinite(v));
+    for (const double isovalue : isovalues) {
+      for (const double time : {0.0, 0.7}) {
+        const MeshOptions options{polygonizer, Frame::World, true, time, isovalue};
+        Mesh mesh;
+        Contours contours;
+        if (decoder.mesh(options, mesh) == Error::None) demandSound(mesh);
+        if (time == 0) (void)decoder.contours(options, contours);
+        for (float v : contours.points) demand(std::isfinite(v));
+        if (decoder.info().dimension < 4) break;
+      }
+    }
   }
-  Contours contours;
-  (void)decoder.contours({}, contours);
-  for (float v : contours.points) demand(std::isfinite(v));
 }
 
 inline void demandHarmless(std::span<const std::byte> stream) {
   Decoder decoder(kFuzzLimits);
   decoder.feed(stream);
   decoder.finish();
-  while (decoder.advance()) demandSoundMeshes(decoder);
+  while (decoder.advance()) demandSoundSurfaces(decoder);
   demand(decoder.complete() || decoder.error() != Error::None);
   StreamInfo info;
   (void)inspect(stream, info);

@@ -6,20 +6,43 @@ using namespace isostar;
 
 namespace {
 
+/// A small number or any.
+double isovalueFrom(FuzzInput& input) { return (input.byte() & 1) != 0 ? input.between(-9, 9) / 2.0 : input.number<double>(); }
+
 Header headerFrom(FuzzInput& input) {
   Header header;
   header.dimension = input.between(2, 4);
   for (int32_t& n : header.size) n = input.between(1, header.dimension == 4 ? 20 : 40);
-  for (int i = input.between(0, 3); i > 0; --i) header.near.push_back(input.between(-9, 9));
-  if ((input.byte() & 1) != 0) header.countWhole(1);
-  else header.quantum = 0x1p-10;
+  header.isovalue = isovalueFrom(input);
+  const int meshes = input.between(0, 3);
+  header.adaptive = meshes == 0;
+  header.keepsTopology = meshes == 1;
+  for (int i = header.adaptive ? 0 : input.between(0, 3); i > 0; --i) header.near.push_back(isovalueFrom(input));
+  header.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
+  switch (input.between(0, 3)) {
+    case 0: header.countWhole(1); break;
+    case 1: header.countWhole(Header::kByteStep); break;
+    default: header.quantum = std::ldexp(1.0, input.between(0, 1) != 0 ? -10 : 8 * input.number<int8_t>() - 1);
+  }
   return header;
 }
 
-void writeLayer(FuzzInput& input, const Header& header, std::vector<std::byte>& stream) {
-  LayerHead head;
-  head.kind = static_cast<LayerKind>(input.between(0, 7));
-  head.level = input.between(0, std::max(header.octaves(), 3));
+/// The kind and level that come next in a sound stream of so many layers.
+LayerHead expected(const Header& header, int told) {
+  if (told == 0) return {};
+  if (told <= header.octaves()) return {LayerKind::Refinement, told};
+  const int passes = told - header.octaves() - 1;
+  if (header.adaptive) return {passes % 2 == 0 ? LayerKind::Octaves : LayerKind::Halving, std::min(passes / 2, 31)};
+  if (passes < 2) return {passes == 0 ? LayerKind::Octaves : LayerKind::Halving, header.octaves()};
+  return {passes % 3 == 2 ? LayerKind::NearSigns : LayerKind::NearGeometry, std::min(passes / 3 + (passes % 3 == 2 ? 1 : 0), 31)};
+}
+
+void writeLayer(FuzzInput& input, const Header& header, int told, std::vector<std::byte>& stream) {
+  LayerHead head = expected(header, told);
+  if (input.between(0, 3) == 0) {
+    head.kind = static_cast<LayerKind>(input.between(0, 7));
+    head.level = input.between(0, std::max(header.octaves(), 3));
+  }
   const auto payload = input.bytes(static_cast<std::size_t>(input.byte()));
   head.bytes = payload.size();
   head.checksum = checksum(head, payload);
@@ -34,7 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
   Header header = headerFrom(input);
   std::vector<std::byte> layers, stream;
-  for (int i = input.between(0, 20); i > 0; --i) writeLayer(input, header, layers);
+  const int count = input.between(0, 20);
+  for (int told = 0; told < count; ++told) writeLayer(input, header, told, layers);
   header.bytes = layers.size();
   ByteWriter out(stream);
   write(out, header);

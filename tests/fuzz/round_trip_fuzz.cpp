@@ -1,4 +1,6 @@
-// Any tiny volume: lossless gives its own triangles back, and a bound is kept.
+// Any tiny volume: lossless gives its own triangles back, and a bound is kept, at each of several isovalues.
+#include <algorithm>
+
 #include "fuzz_input.h"
 
 using namespace isostar;
@@ -29,23 +31,19 @@ Mesh decoded(const std::vector<std::byte>& stream, const MeshOptions& options) {
   return mesh;
 }
 
-}  // namespace
+bool distinct(const EncodeOptions& options) {
+  std::vector<double> all = options.near;
+  all.push_back(options.isovalue);
+  std::sort(all.begin(), all.end());
+  return std::adjacent_find(all.begin(), all.end()) == all.end();
+}
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
-  FuzzInput input(data, size);
-  EncodeOptions options;
-  options.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
-  options.lossless = input.between(0, 1) == 1;
-  options.maxError = input.between(1, 100) / 200.0;
-  options.isovalue = input.between(0, 3) / 2.0;
-  std::vector<float> samples;
-  const Volume volume = volumeFrom(input, samples);
-  std::vector<std::byte> stream;
-  const MeshOptions grid{options.polygonizer, Frame::Grid, true};
+/// The surface of one of the stream's isovalues has the source's triangles, and vertices within the bound.
+void demandKept(const Volume& volume, const EncodeOptions& options, double isovalue, const std::vector<std::byte>& stream) {
+  MeshOptions grid{options.polygonizer, Frame::Grid, true};
   Mesh source;
-  const Error error = polygonize(volume, options.isovalue, grid, source);
-  demand(encode(volume, options, stream) == error);
-  if (error != Error::None) return 0;
+  demand(polygonize(volume, isovalue, grid, source) == Error::None);
+  grid.isovalue = isovalue;
   const Mesh mesh = decoded(stream, grid);
   demand(mesh.triangles == source.triangles && mesh.positions.size() == source.positions.size());
   const double bound = options.lossless ? 0 : options.maxError;
@@ -54,5 +52,28 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
     for (std::size_t a = 0; a < 3; ++a) squares += std::pow(double{mesh.positions[i + a]} - source.positions[i + a], 2);
     demand(std::sqrt(squares) <= bound + 1e-4);
   }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
+  FuzzInput input(data, size);
+  EncodeOptions options;
+  options.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
+  options.lossless = input.between(0, 1) == 1;
+  options.preserveTopology = input.between(0, 3) == 0;
+  options.maxError = input.between(1, 100) / 200.0;
+  options.isovalue = input.between(0, 3) / 2.0;
+  for (int i = input.between(0, 5) / 2; i > 0; --i) options.near.push_back(options.isovalue + i * input.between(1, 9) / 4.0);
+  std::vector<float> samples;
+  const Volume volume = volumeFrom(input, samples);
+  std::vector<std::byte> stream;
+  MeshOptions grid{options.polygonizer, Frame::Grid, true};
+  Mesh source;
+  const Error error = polygonize(volume, options.isovalue, grid, source);
+  demand(encode(volume, options, stream) == (distinct(options) ? error : Error::BadArgument));
+  if (error != Error::None || !distinct(options)) return 0;
+  demandKept(volume, options, options.isovalue, stream);
+  for (const double isovalue : options.near) demandKept(volume, options, isovalue, stream);
   return 0;
 }

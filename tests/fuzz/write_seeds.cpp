@@ -1,23 +1,108 @@
 // Small sound streams for the fuzzers to begin with: write_seeds FOLDER.
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 
 #include "property/sampled_field.h"
 
+namespace {
+
+using namespace isostar;
+
+class SeedFolder {
+ public:
+  explicit SeedFolder(std::filesystem::path folder) : folder_(std::move(folder)) { std::filesystem::create_directories(folder_); }
+
+  template <class Source>
+  void write(const Source& source, const EncodeOptions& options) {
+    std::vector<std::byte> stream;
+    StreamInfo info;
+    if (encode(source, options, stream) != Error::None || inspect(stream, info) != Error::None || info.adaptive != options.adaptive) {
+      std::cerr << "seed " << number_ << " is not what it should be\n";
+      allAsMeant_ = false;
+    }
+    std::ofstream(folder_ / std::to_string(number_++), std::ios::binary)
+        .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
+  }
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool allAsMeant() const { return allAsMeant_; }
+
+ private:
+  std::filesystem::path folder_;
+  int number_ = 0;
+  bool allAsMeant_ = true;
+};
+
+EncodeOptions turnOf(int number) {
+  EncodeOptions options;
+  options.polygonizer = static_cast<Polygonizer>(number % 2);
+  options.lossless = number % 3 == 0;
+  return options;
+}
+
+void writeVolumes(SeedFolder& seeds) {
+  for (const Size& size : {Size{2, 2, 2}, Size{5, 4, 6}, Size{17, 9, 12}}) {
+    for (const auto& field : fieldsOf(size)) seeds.write(field.volume(), turnOf(seeds.number()));
+  }
+}
+
+void writeCloseByIsovalues(SeedFolder& seeds) {
+  for (const auto& field : fieldsOf({9, 8, 11})) {
+    EncodeOptions options = turnOf(seeds.number());
+    options.near = {0.3, -0.2, 3};
+    seeds.write(field.volume(), options);
+  }
+}
+
+EncodeOptions adaptive(double bound, Polygonizer polygonizer) {
+  EncodeOptions options;
+  options.adaptive = true;
+  options.maxError = bound;
+  options.polygonizer = polygonizer;
+  return options;
+}
+
+/// Round shapes, and of few samples: fuzzers go through them often.
+void writeAdaptiveMeshes(SeedFolder& seeds) {
+  const Size cube{17, 17, 17}, small{12, 11, 13};
+  seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(0.6, Polygonizer::Cubes));
+  seeds.write(sampled("ball", small, sphere(small, 0.4)).volume(), adaptive(0.7, Polygonizer::Tetrahedra));
+  const SampledField disc = sampled("disc", {33, 28, 1}, [](double x, double y, double) { return 11.23 - std::hypot(x - 16.5, y - 14); });
+  seeds.write(Image{disc.samples, {33, 28}}, adaptive(0.8, Polygonizer::Tetrahedra));
+}
+
+void writeVolumesOfOneTopology(SeedFolder& seeds) {
+  for (const auto& field : fieldsOf({13, 11, 10})) {
+    EncodeOptions options = turnOf(seeds.number());
+    options.preserveTopology = true;
+    seeds.write(field.volume(), options);
+  }
+}
+
+/// Of a plane of a field.
+void writeImages(SeedFolder& seeds) {
+  for (const auto& field : fieldsOf({21, 14, 1})) {
+    EncodeOptions options = turnOf(seeds.number());
+    if (seeds.number() % 4 == 0) options.near = {0.5};
+    seeds.write(Image{field.samples, {21, 14}}, options);
+  }
+}
+
+/// The third axis of a field holds three frames of four planes each.
+void writeSequences(SeedFolder& seeds) {
+  for (const auto& field : fieldsOf({6, 5, 12})) seeds.write(Sequence{field.samples, {6, 5, 4}, 3, {}}, turnOf(seeds.number()));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const std::filesystem::path folder = argv[1];
-  std::filesystem::create_directories(folder);
-  int number = 0;
-  for (const isostar::Size& size : {isostar::Size{2, 2, 2}, isostar::Size{5, 4, 6}, isostar::Size{17, 9, 12}}) {
-    for (const auto& field : isostar::fieldsOf(size)) {
-      isostar::EncodeOptions options;
-      options.polygonizer = static_cast<isostar::Polygonizer>(number % 2);
-      options.lossless = number % 3 == 0;
-      std::vector<std::byte> stream;
-      if (isostar::encode(field.volume(), options, stream) != isostar::Error::None) return 1;
-      std::ofstream(folder / std::to_string(number++), std::ios::binary)
-          .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
-    }
-  }
+  SeedFolder seeds(argv[1]);
+  writeVolumes(seeds);
+  writeCloseByIsovalues(seeds);
+  writeAdaptiveMeshes(seeds);
+  writeVolumesOfOneTopology(seeds);
+  writeImages(seeds);
+  writeSequences(seeds);
+  return seeds.allAsMeant() ? 0 : 1;
 }
