@@ -25,7 +25,7 @@ class ReconstructionIn : public Reconstruction {
     GeometryPass<D> pass;
     pass.kind = head.kind;
     const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving || head.kind == LayerKind::NearGeometry;
-    if (torn && !geometry && (head.kind != LayerKind::Refinement || known_.partial)) return {};  // these show only as a whole
+    if (torn && !showsTorn(head, bytes.size())) return {};
     if (geometry) {
       ByteReader fields(bytes);
       if (head.kind == LayerKind::NearGeometry) pass.kind = static_cast<LayerKind>(fields.u8());
@@ -104,6 +104,12 @@ class ReconstructionIn : public Reconstruction {
     return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == octaves;
   }
 
+  /// Octaves, of vertices or of scalars, show in part if it is a quarter: where they meet what is coarser they are no better.
+  [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
+    if (head.kind == LayerKind::Halving || head.kind == LayerKind::NearGeometry) return true;
+    const bool can = head.kind == LayerKind::Octaves || (head.kind == LayerKind::Refinement && !known_.partial);
+    return can && 4 * bytes >= head.bytes;
+  }
   /// Takes over an octave that has been told in part, if the limits allow it.
   bool showsUnfinished() {
     if (known_.unfinished.table().total() == 0) return true;  // nothing that matters was missing

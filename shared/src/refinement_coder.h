@@ -66,7 +66,7 @@ class RefinementCoder {
     }
     return result;
   }
-  /// Has anything of the octave been told?
+  /// Has any slab of the octave been told?
   [[nodiscard]] bool began() const { return slabsTold_[D] != 0; }
 
   /// The absent vertices of an octave that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
