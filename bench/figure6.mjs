@@ -6,7 +6,7 @@ import { bytesAt, envelope } from './curve.mjs';
 import { fixed, kilobytes, table } from './format.mjs';
 import { CODERS, plotFigure6 } from './plot-figure6.mjs';
 
-const SURFACES = ['horse', 'cthead-500.5', 'mri', 'engine-80.5', 'tooth-600.5', 'bonsai'];
+const SURFACES = ['horse', 'cthead-500.5', 'mri', 'engine-80.5', 'tooth-600.5', 'headsq-500.5'];
 const DISTANCES = [0.2, 0.1, 0.05, 0.02];  // RMS, grid steps
 
 /** The paper's horse and five scans where the folder has them; all otherwise. */
