@@ -36,7 +36,7 @@ class Intervals {
   using Brick = std::array<Interval, Scalars<D>::kVertices>;
 
   Intervals() = default;
-  explicit Intervals(std::size_t places) : at_(places, kNone), bricks_(1) {}
+  explicit Intervals(std::size_t places) : at_(places, kNone) { bricks_.add({}); }
 
   [[nodiscard]] std::size_t places() const { return at_.size(); }
   [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
@@ -44,7 +44,7 @@ class Intervals {
   Brick& writable(std::size_t place) {
     if (at_[place] == kNone) {
       at_[place] = static_cast<uint32_t>(bricks_.size());
-      bricks_.emplace_back();
+      bricks_.add({});
     }
     return bricks_[at_[place]];
   }
@@ -67,7 +67,7 @@ class Intervals {
   static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing
 
   std::vector<uint32_t> at_;
-  std::deque<Brick> bricks_;
+  Pool<Brick> bricks_;
 };
 
 }  // namespace isostar

@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <deque>
 #include <vector>
 
+#include "pool.h"
 #include "tube.h"
 
 namespace isostar {
@@ -20,7 +20,7 @@ class Scalars {
  public:
   static constexpr std::size_t kVertices = power(kBrickSide, D);
   static constexpr int32_t kUnknown = INT32_MIN;
-  static constexpr uint64_t kLink = 4 * sizeof(void*);  // by which a deque finds a brick, while its links are moved
+  static constexpr uint64_t kLink = 4 * sizeof(void*);  // by which a brick is found, while links are moved
 
   struct Brick {
     /// Twice the middle of what is possible (of [n, n + 1): 2 n + 1), negative at negative vertices. Its lowest bit that
@@ -39,7 +39,10 @@ class Scalars {
   };
 
   Scalars() = default;
-  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, kNoGradient), bricks_(1) { bricks_[kNone].value.fill(kUnknown); }
+  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, kNoGradient) {
+    bricks_.add({});
+    bricks_[kNone].value.fill(kUnknown);
+  }
 
   [[nodiscard]] std::size_t places() const { return at_.size(); }
   [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
@@ -48,7 +51,7 @@ class Scalars {
   Brick& writable(std::size_t place) {
     if (at_[place] == kNone) {
       at_[place] = static_cast<uint32_t>(bricks_.size());
-      bricks_.push_back(bricks_[kNone]);
+      bricks_.add(bricks_[kNone]);
     }
     return bricks_[at_[place]];
   }
@@ -59,14 +62,14 @@ class Scalars {
   /// Multiplies all values by the power of two that leaves room, 2^12 at the most, and tells which.
   int magnify() {
     int32_t largest = 1;
-    for (const Brick& brick : bricks_) {
-      for (const int32_t value : brick.value) {
+    for (std::size_t b = 0; b < bricks_.size(); ++b) {
+      for (const int32_t value : bricks_[b].value) {
         if (value != kUnknown) largest = std::max(largest, std::abs(value));
       }
     }
     const int finer = std::clamp(std::countl_zero(static_cast<uint32_t>(largest)) - 3, 0, 12);
-    for (Brick& brick : bricks_) {
-      for (int32_t& value : brick.value) {
+    for (std::size_t b = 0; b < bricks_.size(); ++b) {
+      for (int32_t& value : bricks_[b].value) {
         if (value != kUnknown) value *= 1 << finer;
       }
     }
@@ -84,7 +87,7 @@ class Scalars {
 
   std::vector<uint32_t> at_;
   std::vector<uint8_t> gradient_;
-  std::deque<Brick> bricks_;  // no copies as it grows
+  Pool<Brick> bricks_;
 };
 
 }  // namespace isostar
