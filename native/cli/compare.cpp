@@ -40,6 +40,7 @@ struct Surface {
   Mesh mesh;
   std::optional<double> step;                // of its grid, in its own coordinates; a mesh file has none
   std::unique_ptr<TetrahedralField> source;  // of whose tetrahedra it is the isosurface
+  bool trimmed = false;                      // ends where its domain does
 };
 
 Surface loadTetrahedra(const std::string& path, const Arguments& arguments) {
@@ -57,10 +58,11 @@ Surface load(const std::string& path, const Arguments& arguments) {
   const Decoder decoder = decodeStream(readFile(path), path);
   requireIsovalue(options.isovalue, decoder.info(), path);
   const double step = options.frame == Frame::World ? smallestSpacing(decoder.info().placement) : 1;
-  return {surfaceOf(decoder, options, path), step, {}};
+  return {surfaceOf(decoder, options, path), step, {}, decoder.info().trimmed};
 }
 
 std::optional<SurfaceDistance> distanceBetween(const Surface& a, const Surface& b) {
+  if (a.trimmed || b.trimmed) return measure::surfaceDistance(a.mesh, b.mesh);
   if (a.source && !b.source) {
     const auto distance = distanceToTetrahedra(b.mesh, *a.source, a.mesh);
     return distance ? std::optional(SurfaceDistance{distance->bToA, distance->aToB}) : std::nullopt;
@@ -159,7 +161,7 @@ void addCompare(CLI::App& app) {
   command
       .add_option("a", arguments->paths[0],
                   "A mesh (.ply, .obj, .stl, .glb), a stream, or tetrahedra (.vtu, .vtk), whose isosurface is taken, "
-                  "and only what lies within their domain of the other")
+                  "and of the other only what lies within their domain, unless it is a stream that ends there itself")
       ->required();
   command.add_option("b", arguments->paths[1], "Another")->required();
   command.add_option("--iso", arguments->options.isovalue, "The isovalue of tetrahedra, and of streams that hold several")->check(kFinite);

@@ -121,6 +121,17 @@ void requireDistinct(const EncodeOptions& options) {
   throw UsageFault(text("--near names %.17g twice", *twice));
 }
 
+/// Streams of several isovalues, and those of one topology, do not tell where a domain ends.
+bool endsAtDomain(const EncodeOptions& options) {
+  return options.near.empty() && !options.preserveTopology;
+}
+
+void leaveDomain(LoadedVolume& volume) {
+  if (volume.domain.empty()) return;
+  volume.domain.clear();
+  volume.remarks.push_back("with --near or --preserve-topology the surface goes on beyond the mesh's boundary, to the box around it");
+}
+
 void run(Arguments& arguments) {
   requireSense(arguments.source);
   arguments.options.isovalue = isovalueOf(arguments.source);
@@ -131,8 +142,9 @@ void run(Arguments& arguments) {
 
   WorkReport report{.work = "encode"};
   const Stopwatch reading;
-  const LoadedVolume volume = readSource(arguments.source);
+  LoadedVolume volume = readSource(arguments.source);
   report.io = reading.milliseconds();
+  if (!endsAtDomain(arguments.options)) leaveDomain(volume);
   for (const std::string& remark : volume.remarks) warn(arguments.source.volume.path + ": " + remark);
 
   EncodeOptions options = arguments.options;

@@ -3,12 +3,13 @@
 #include "cli/progress_bar.h"
 #include "files/failure.h"
 #include "files/text.h"
+#include "measure/surface_distance.h"
 #include "mesh_io/mesh_file.h"
 #include "model/model_volume.h"
 #include "tetrahedra/formats.h"
 #include "tetrahedra/marching_tetrahedra.h"
 #include "tetrahedra/resample.h"
-#include "tetrahedra/tetrahedra_distance.h"
+#include "tetrahedra/tetrahedral_field.h"
 
 namespace isostar::native {
 namespace {
@@ -32,7 +33,7 @@ bool hasTetrahedra(const SourceRequest& request) {
 std::string remarkOnSampling(const LoadedVolume& volume, const TetrahedralField& field, double isovalue) {
   Mesh surface;
   if (polygonize(volume.view(), isovalue, {.normals = false}, surface) != Error::None) return {};
-  const auto distance = distanceToTetrahedra(surface, field, isosurfaceOf(field.mesh(), isovalue));
+  const auto distance = measure::surfaceDistance(surface, isosurfaceOf(field.mesh(), isovalue));
   if (!distance) return {};
   const double step = volume.placement.spacing[0];
   return text("sampled at %d x %d x %d points, up to %.2g grid steps from the tetrahedra's isosurface (RMS %.2g)",
@@ -46,14 +47,15 @@ LoadedVolume readOnGrid(const SourceRequest& request) {
   const CubicGrid grid = gridOver(field, isovalueOf(request), request.grid, path);
   ProgressBar bar("sampling tetrahedra");
   LoadedVolume volume;
-  volume.samples = resample(field, grid, [&bar](double done) { bar.show(done); }).samples;
+  ResampledField sampled = resample(field, grid, [&bar](double done) { bar.show(done); });
+  volume.samples = std::move(sampled.samples);
+  volume.domain = std::move(sampled.domain);
   volume.size = grid.size;
   volume.placement.origin = {grid.low.x, grid.low.y, grid.low.z};
   volume.placement.spacing = {grid.step, grid.step, grid.step};
   volume.remarks = field.mesh().remarks;
   if (const std::string remark = remarkOnSampling(volume, field, isovalueOf(request)); !remark.empty())
     volume.remarks.push_back(remark);
-  volume.remarks.push_back("the surface goes on beyond the mesh's boundary, to the box around it");
   return volume;
 }
 

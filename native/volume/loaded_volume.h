@@ -16,9 +16,10 @@ struct LoadedVolume {
   std::array<int32_t, 3> size{};
   int32_t frames = 1;
   Placement placement;
+  std::vector<float> domain;  // see Volume; empty where it is the box
   std::vector<std::string> remarks;
 
-  Volume view() const { return {samples, size, placement}; }
+  Volume view() const { return {samples, size, placement, domain}; }
   Image image() const {
     const auto& [origin, spacing, direction] = placement;
     return {samples, {size[0], size[1]}, {origin[0], origin[1]}, {spacing[0], spacing[1]}};

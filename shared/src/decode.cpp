@@ -13,6 +13,7 @@ const char* kindName(LayerKind kind) {
     case LayerKind::Base: return "base";
     case LayerKind::Refinement:
     case LayerKind::NearSigns: return "refinement";
+    case LayerKind::Domain: return "domain";
     default: return "geometry";
   }
 }
@@ -30,6 +31,7 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   info.lossless = h.lossless;
   info.adaptive = h.adaptive;
   info.preservesTopology = h.keepsTopology;
+  info.trimmed = h.trimmed;
   info.maxError = h.lossless ? 0 : h.maxError;
   info.vertices = h.vertices;
   info.headerBytes = bytes;

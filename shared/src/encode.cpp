@@ -27,10 +27,10 @@ class Source {
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   [[nodiscard]] uint64_t crossings() const { return countCrossings(signs_, active_); }
   [[nodiscard]] Precision precision(Polygonizer polygonizer) const { return field_.precision(polygonizer, signs_, active_); }
-  /// To be called once, when the stream's quantum is fixed.
-  void measureIn(const Header& stream) {
+  /// To be called once, when the stream's quantum is fixed. `domain`: of a trimmed stream.
+  void measureIn(const Header& stream, const GridField<D>* domain) {
     header_ = stream.at(isovalue_);
-    quantized_.emplace(field_, header_, signs_);
+    quantized_.emplace(field_, header_, signs_, domain);
     distance_.emplace(field_, header_, signs_, active_);
   }
   [[nodiscard]] QuantizedField<D>& quantized() { return *quantized_; }
@@ -73,6 +73,10 @@ class LayerWriter {
       });
       if (options_.progress) options_.progress(0.5 * (level + 1) / (octaves_ + 1));
     }
+  }
+
+  void domain() {
+    tell({LayerKind::Domain, octaves_, 0, 0, 0}, source_->signs(), [&](auto& ask) { known_.tellDomain(ask); });
   }
 
   /// The signs of a further isovalue; passes are its from now on.
@@ -233,9 +237,11 @@ Error put(Header& header, const std::vector<std::byte>& layers, const EncodeOpti
   return Error::None;
 }
 
-/// Does all that does not depend on whose samples they are; the header already tells size and placement.
+/// Does all that does not depend on whose samples they are; the header already tells size and placement. `domain`: empty
+/// where it is the box.
 template <int D>
-Error encodeGrid(std::span<const float> samples, Header header, const EncodeOptions& options, std::vector<std::byte>& out) {
+Error encodeGrid(std::span<const float> samples, std::span<const float> domain, Header header, const EncodeOptions& options,
+                 std::vector<std::byte>& out) {
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
@@ -243,6 +249,8 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   if (options.adaptive && (options.lossless || D == 4 || !options.near.empty())) return Error::BadArgument;
   if (!bounded || !invertible(header.placement) || !sensible<D>(samples, size, options.isovalue)) return Error::BadArgument;
   if (options.near.size() > Header::kMostNear || !distinct(options)) return Error::BadArgument;
+  header.trimmed = !domain.empty();
+  if (header.trimmed && (!sensible<D>(domain, size, 0) || options.preserveTopology || !options.near.empty())) return Error::BadArgument;
   header.isovalue = options.isovalue;
   header.near = byNearness(options.isovalue, options.near);
   header.polygonizer = options.polygonizer;
@@ -256,17 +264,20 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
   for (const Source<D>& source : sources) precision.add(source.precision(header.polygonizer), source.isovalue() - header.isovalue);
   precision.fix(header);
   header.vertices = sources.front().crossings();
-  for (Source<D>& source : sources) source.measureIn(header);
+  std::optional<GridField<D>> end;
+  if (header.trimmed) end.emplace(domain, size, 0);
+  for (Source<D>& source : sources) source.measureIn(header, end ? &*end : nullptr);
   Header adaptiveHeader = header;
   std::vector<std::byte> adaptive;
   if constexpr (D < 4) {
-    if (options.adaptive && !options.preserveTopology && header.vertices != 0) {
+    if (options.adaptive && !options.preserveTopology && !header.trimmed && header.vertices != 0) {
       adaptiveHeader.adaptive = true;
       if (!encodeAdaptive(sources.front().field(), options, sources.front().signs(), adaptiveHeader, adaptive)) adaptive.clear();
     }
   }
   LayerWriter<D> layers(header, options, sources.front());
   layers.signs();
+  if (header.trimmed && header.vertices != 0) layers.domain();
   if (header.vertices != 0) tellGeometry(layers, header);
   for (std::size_t i = 1; i < sources.size(); ++i) {
     layers.nearSigns(static_cast<int>(i), sources[i]);
@@ -280,13 +291,13 @@ Error encodeGrid(std::span<const float> samples, Header header, const EncodeOpti
 }  // namespace
 
 Error encode(const Image& image, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<2>(image.samples, headerOf(image), options, out);
+  return encodeGrid<2>(image.samples, {}, headerOf(image), options, out);
 }
 Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<3>(volume.samples, headerOf(volume), options, out);
+  return encodeGrid<3>(volume.samples, volume.domain, headerOf(volume), options, out);
 }
 Error encode(const Sequence& sequence, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<4>(sequence.samples, headerOf(sequence), options, out);
+  return encodeGrid<4>(sequence.samples, {}, headerOf(sequence), options, out);
 }
 
 }  // namespace isostar

@@ -54,6 +54,8 @@ class TruthExchange {
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(place, r, x); }
   /// The typical difference along a crossing edge of the brick, 4 log2 of quanta.
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(place); }
+  /// How far a vertex of the finest octave lies inside the domain, in quanta rounded down.
+  [[nodiscard]] int32_t domain(std::size_t place, std::size_t r, int x) const { return field_.domain(place, r, x); }
   /// Does the brick take part in a selective pass?
   [[nodiscard]] bool selected(std::size_t place) const { return field_.selected(place); }
   /// Of an adaptive octave: the centres of cells that stay whole, as row() has signs.
@@ -93,6 +95,7 @@ class BlindExchange {
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const { return std::nullopt; }
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] int gradient(std::size_t) const { return 0; }
+  [[nodiscard]] int32_t domain(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] bool selected(std::size_t) const { return false; }
 
  private:

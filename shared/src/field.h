@@ -60,15 +60,19 @@ class GridField {
     precision(header.polygonizer, signs, active).fix(header);
   }
 
-  /// In quanta of a header.
-  [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {
+  /// The sample at vertex x in row r of a brick of the finest octave, less the isovalue.
+  [[nodiscard]] double scalar(std::size_t place, std::size_t r, int x) const {
     if (place != lastPlace_) {
       lastPlace_ = place;
       lastStart_ = at(vertex(table_.brick(place), 0));
     }
     std::size_t sample = lastStart_ + static_cast<std::size_t>(x);
     for (int a = 1; a < D; ++a, r /= kBrickSide) sample += (r % kBrickSide) * stride_[a];
-    double d = double{samples_[sample]} - isovalue_;
+    return double{samples_[sample]} - isovalue_;
+  }
+  /// In quanta of a header.
+  [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {
+    double d = scalar(place, r, x);
     if (header.quantum != 1) d /= header.quantum;
     if (header.whole) return static_cast<uint32_t>((d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
     return static_cast<uint32_t>(std::min(std::abs(d), double((1 << 29) - 1)));
@@ -95,24 +99,35 @@ class GridField {
   Coordinates<D> last_{};
   std::array<std::size_t, D> stride_{};
   BrickTable<D> table_;
-  // The brick that magnitude() was asked of last, and its first sample: bricks are asked one after the other.
+  // The brick that scalar() was asked of last, and its first sample: bricks are asked one after the other.
   mutable std::size_t lastPlace_ = SIZE_MAX, lastStart_ = 0;
 };
+
+/// A sample's distance to the domain's boundary in quanta of a stream, rounded down, as far as it matters.
+template <int D>
+[[nodiscard]] int32_t domainQuanta(const GridField<D>& domain, const Header& header, std::size_t place, std::size_t r, int x) {
+  const int32_t reach = header.domainReach();
+  return static_cast<int32_t>(std::clamp(std::floor(domain.scalar(place, r, x) * header.domainFineness()), double(-reach), double(reach - 1)));
+}
 
 /// A field's scalars as the quanta of one stream, and the bricks selected for a pass, by place.
 template <int D>
 class QuantizedField {
  public:
-  QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs) : field_(field), header_(header), signs_(signs) {}
+  /// `domain`: of a trimmed stream.
+  QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs, const GridField<D>* domain = nullptr)
+      : field_(field), header_(header), signs_(signs), domain_(domain) {}
   void select(std::vector<uint8_t> places) { selected_ = std::move(places); }
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(header_, place, r, x); }
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, signs_, place); }
+  [[nodiscard]] int32_t domain(std::size_t place, std::size_t r, int x) const { return domainQuanta(*domain_, header_, place, r, x); }
   [[nodiscard]] bool selected(std::size_t place) const { return selected_[place] != 0; }
 
  private:
   const GridField<D>& field_;
   const Header& header_;
   const Signs<D>& signs_;
+  const GridField<D>* domain_;
   std::vector<uint8_t> selected_;
 };
 

@@ -3,10 +3,12 @@
 
 #include "adaptive.h"
 #include "close_by.h"
+#include "domain_coder.h"
 #include "halving_coder.h"
 #include "octave.h"
 #include "octaves_coder.h"
 #include "refinement_coder.h"
+#include "seldom.h"
 #include "stream.h"
 
 namespace isostar {
@@ -117,12 +119,18 @@ struct Knowledge {
     return memory() + unfinished.memory() + Signs<D>::memoryToFill(places, places);
   }
 
+  /// Where the domain ends, near the finest octave's surface.
+  template <class Exchange>
+  ISOSTAR_SELDOM void tellDomain(Exchange& ask) {
+    active = activeBricks(signs);
+    domain = Scalars<D>(active.size());
+    DomainCoder<D>(header.domainReach()).tell(ask, signs, active, header.polygonizer == Polygonizer::Tetrahedra, domain);
+  }
+
   template <class Exchange>
   void geometry(Exchange& ask, const GeometryPass<D>& pass) {
-    if (active.empty()) {
-      active = activeBricks(signs);
-      scalars = Scalars<D>(active.size());
-    }
+    if (active.empty()) active = activeBricks(signs);
+    if (scalars.places() == 0) scalars = Scalars<D>(active.size());
     if (pass.kind == LayerKind::Octaves) {
       told[static_cast<std::size_t>(pass.members)] = true;
       octaves.tell(ask, signs, scalars, pass.members, pass.depth, active);
@@ -149,11 +157,14 @@ struct Knowledge {
 
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
-  [[nodiscard]] uint64_t memoryBesideScalars() const { return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() + (partial ? partial->memory() : 0); }
-  /// What it takes to begin the first geometry layer, or to go on.
+  [[nodiscard]] uint64_t memoryBesideScalars() const {
+    return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() + (partial ? partial->memory() : 0) +
+           (domain.places() != 0 ? domain.memory() : 0);
+  }
+  /// What it takes to begin the first geometry layer, or the domain's, or to go on.
   [[nodiscard]] uint64_t memoryForScalars() const {
     const std::size_t places = signs.table().total();
-    return active.empty() ? memory() + places + Scalars<D>::memoryOf(places, 1) : memory();
+    return scalars.places() == 0 ? memory() + places + Scalars<D>::memoryOf(places, 1) : memory();
   }
   /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
   [[nodiscard]] uint64_t memoryToRefine() const {
@@ -171,8 +182,9 @@ struct Knowledge {
   std::optional<AdaptiveMesh<D>> partial;
   Signs<D> unfinished;  // of an octave that has been told in part
   RefinementCoder<D> refinement;
-  std::vector<uint8_t> active;  // bricks of the finest octave; empty before the first geometry layer
+  std::vector<uint8_t> active;  // bricks of the finest octave; empty before its scalars or the domain are told
   Scalars<D> scalars;
+  Scalars<D> domain;  // of a trimmed stream: see DomainCoder
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
   OctavesCoder<D> octaves;
   HalvingCoder<D> halvings;

@@ -9,6 +9,7 @@
 
 #include "cell_table.h"
 #include "crossings.h"
+#include "trim.h"
 
 namespace isostar {
 namespace {
@@ -55,9 +56,10 @@ class Polygonization {
  public:
   static constexpr uint64_t kBytesOfPlace = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
 
-  Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out)
+  /// `depth`: of each vertex inside the surface's domain, if that is not the box.
+  Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out, std::vector<float>& depth)
       : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
-        limits_(limits), out_(out), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
+        limits_(limits), out_(out), depth_(depth), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
     for (unsigned parity = 0; parity < 8; ++parity) tables_[parity] = &cellTable(options.polygonizer, parity);
   }
 
@@ -75,10 +77,12 @@ class Polygonization {
       countEdges(place);
       if (vertices_ > std::min(limits_.vertices, kMostVertices)) return Error::OverLimit;
     }
-    held_ += vertices_ * (options_.normals ? 6 : 3) * sizeof(float);
+    const bool ends = surface_.domain != nullptr;
+    held_ += vertices_ * ((options_.normals ? 6 : 3) + (ends ? 1 : 0)) * sizeof(float);
     if (!makeRoom(vertices_ * 6 + kMostOfRow)) return Error::OverLimit;
     out_.positions.resize(vertices_ * 3);
     if (options_.normals) out_.normals.resize(vertices_ * 3);
+    if (ends) depth_.resize(vertices_);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) placeVertices(place);
     }
@@ -137,6 +141,7 @@ class Polygonization {
   void placeVertices(std::size_t place) {
     const auto brick = signs_.table().brick(place);
     scalars_.load(surface_.scalars, signs_.table(), brick);
+    if (surface_.domain != nullptr) domain_.load(*surface_.domain, signs_.table(), brick);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
       const EdgeIndex& index = indexOf(place)[number_[axes]];
@@ -155,6 +160,7 @@ class Polygonization {
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
     write(out_.positions, id, frames_.place(start + t * (end - start)));
+    if (surface_.domain != nullptr) depth_[id] = static_cast<float>(depthOf(ends, t));
     if (!options_.normals) return;
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
@@ -164,6 +170,18 @@ class Polygonization {
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
     write(out_.normals, id, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
+  }
+
+  /// How deep a vertex on an edge lies in the domain. The ends of diagonals have not been told of a stream for `cubes`: another
+  /// corner of the cell stands in for them, so that only cells are cut which the domain's boundary crosses.
+  [[nodiscard]] double depthOf(const EdgeEnds<3>& ends, double t) const {
+    const auto& depth = domain_.value;
+    const auto toldAt = [&](int at, int otherEnd) {
+      const int beside = ends.evenAt + ends.odd[0] - ends.even[0];  // if neither is told, all other corners are
+      return depth[at] != Scalars<3>::kUnknown ? at : depth[otherEnd] != Scalars<3>::kUnknown ? otherEnd : beside;
+    };
+    const double even = depth[toldAt(ends.evenAt, ends.oddAt)], odd = depth[toldAt(ends.oddAt, ends.evenAt)];
+    return even + t * (odd - even);
   }
 
   /// The field's difference along an axis across an edge, from the neighbours of its ends whose scalars are known.
@@ -280,6 +298,7 @@ class Polygonization {
   Limits limits_;
   uint64_t held_ = 0;  // bytes in use but for those of triangles
   Mesh& out_;
+  std::vector<float>& depth_;
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
   std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);  // of a set of axes
@@ -287,7 +306,7 @@ class Polygonization {
   std::vector<Window<3>> windows_;
   uint64_t vertices_ = 0;
   std::size_t corners_ = 0;  // of triangles, so far
-  ScalarWindow<3> scalars_;
+  ScalarWindow<3> scalars_, domain_;
 };
 
 }  // namespace
@@ -295,7 +314,9 @@ class Polygonization {
 Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out) {
   out = {};
   if (Polygonization::kBytesOfPlace * surface.signs.table().total() > limits.memory) return Error::OverLimit;
-  const Error error = Polygonization(surface, options, limits, out).run();
+  std::vector<float> depth;
+  Error error = Polygonization(surface, options, limits, out, depth).run();
+  if (error == Error::None && surface.domain != nullptr) error = trim(depth, limits, out);
   if (error != Error::None) out = {};
   return error;
 }

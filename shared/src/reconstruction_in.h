@@ -46,10 +46,13 @@ class ReconstructionIn : public Reconstruction {
       known_.geometry(ask, pass);
     } else if (head.kind == LayerKind::Base) {
       known_.base(ask);
+    } else if (head.kind == LayerKind::Domain) {
+      known_.tellDomain(ask);
     } else {
       known_.refine(ask);
     }
     const Error error = ask.overBudget() ? Error::OverLimit : !torn && ask.spent() ? Error::Corrupt : Error::None;
+    trims_ = trims_ || (head.kind == LayerKind::Domain && error == Error::None);
     torn_ = torn || error != Error::None;
     based_ = based_ || error == Error::None;
     if (torn && head.kind == LayerKind::Refinement && error == Error::None) return {Error::None, showsUnfinished()};
@@ -92,7 +95,7 @@ class ReconstructionIn : public Reconstruction {
   }
 
  private:
-  /// The base first, then each octave, then geometry on the finest; then signs and geometry of each further isovalue.
+  /// The base first, then each octave, then where the domain ends, then geometry on the finest; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
     const int octaves = header_.octaves(), nearTold = static_cast<int>(known_.near.surfaces().size());
     if (isNear(kind)) {
@@ -101,6 +104,7 @@ class ReconstructionIn : public Reconstruction {
     if (nearTold != 0) return false;
     if (!based_) return kind == LayerKind::Base && level == 0;
     if (known_.level < octaves) return kind == LayerKind::Refinement && level == known_.level + 1;
+    if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == octaves;
     return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == octaves;
   }
 
@@ -150,7 +154,7 @@ class ReconstructionIn : public Reconstruction {
       return withCompleted({near->signs, near->active, near->scalars, near->told}, header_.at(isovalue), options, held, make);
     }
     if (known_.partial) return withPartial(held, make);
-    if (known_.active.empty()) return withEstimated(options, held, make);
+    if (known_.scalars.places() == 0) return withEstimated(options, held, make);
     if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told}, header_, options, held, make);
     return withBetween(isovalue, options, held, make);
   }
@@ -186,12 +190,14 @@ class ReconstructionIn : public Reconstruction {
     return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement}, held + completed);
   }
 
+  [[nodiscard]] const Scalars<D>* domain() const { return trims_ ? &known_.domain : nullptr; }
+
   /// With scalars for all vertices that the polygonizer needs, told or estimated.
   template <class Make>
   Error withCompleted(const Known& known, const Header& header, const MeshOptions& options, uint64_t held, Make make) const {
     const double positive = 2 * header.positiveOffset - 1, negative = 2 * header.negativeOffset - 1;
     if (!torn_ && known.told[0] && (known.told[1] || options.polygonizer == Polygonizer::Cubes)) {
-      return make(Surface<D>{known.signs, known.scalars, positive, negative, header_.placement}, held);
+      return make(Surface<D>{known.signs, known.scalars, positive, negative, header_.placement, domain()}, held);
     }
     const uint64_t completed = memoryCompleted(known.scalars, known.active);
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
@@ -199,7 +205,7 @@ class ReconstructionIn : public Reconstruction {
     const int finer = scalars.magnify();
     const double scale = 1 << finer;
     estimate(known.signs, known.active, options, finer, scalars);
-    return make(Surface<D>{known.signs, scalars, positive * scale, negative * scale, header_.placement}, held + completed);
+    return make(Surface<D>{known.signs, scalars, positive * scale, negative * scale, header_.placement, domain()}, held + completed);
   }
 
   /// Of scalars with estimates in all active bricks; while they are made, those before are kept, too.
@@ -217,7 +223,7 @@ class ReconstructionIn : public Reconstruction {
   const Header& header_;
   const Limits limits_;
   Knowledge<D> known_;
-  bool based_ = false, torn_ = false;
+  bool based_ = false, trims_ = false, torn_ = false;
 };
 
 }  // namespace isostar

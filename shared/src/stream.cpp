@@ -24,7 +24,8 @@ enum Flag : uint32_t {
   kAdaptive = 128,
   kNear = 256,
   kKeepsTopology = 512,
-  kKnownFlags = 1023
+  kTrimmed = 1024,
+  kKnownFlags = 2047
 };
 
 /// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
@@ -78,6 +79,21 @@ int Header::octaves() const {
   int octaves = 0;
   while (cells > int64_t{kMostBaseCells} << octaves) ++octaves;
   return octaves;
+}
+
+int32_t Header::domainFineness() const {
+  constexpr int32_t kCoarsest = 2, kFinest = 32;
+  if (lossless) return kFinest;
+  int32_t steps = kCoarsest;
+  while (steps < kFinest && steps * maxError < 1) steps *= 2;
+  return steps;
+}
+
+int32_t Header::domainReach() const {
+  constexpr double kFarthest = 32;  // grid steps; a cell longer than that is cut where it may
+  const auto& s = placement.spacing;
+  const double diagonal = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / std::min({s[0], s[1], s[2]});
+  return static_cast<int32_t>(std::ceil(std::min(diagonal, kFarthest) * domainFineness()));
 }
 
 void Header::countWhole(double step) {
@@ -151,7 +167,7 @@ void write(ByteWriter& out, const Header& h) {
   const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
                          (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
                          (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear) |
-                         (h.keepsTopology ? kKeepsTopology : 0u);
+                         (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
   w.u8(kBinary | static_cast<uint32_t>(kFormatVersion) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
@@ -200,6 +216,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   h.lossless = (flags & kLossless) != 0;
   h.adaptive = (flags & kAdaptive) != 0;
   h.keepsTopology = (flags & kKeepsTopology) != 0;
+  h.trimmed = (flags & kTrimmed) != 0;
   h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
   bool sane = true;
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {
@@ -237,6 +254,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
   if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
   if (h.adaptive && (h.keepsTopology || !h.near.empty())) return Error::Corrupt;
+  if (h.trimmed && (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.near.empty())) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;
@@ -251,7 +269,7 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   if (r.overrun()) return Error::Truncated;
   const auto kind = static_cast<LayerKind>(first >> 5);
   const uint32_t level = first & 31;
-  if (kind > LayerKind::Halving && !isNear(kind)) return Error::Corrupt;
+  if (kind > LayerKind::Domain && !isNear(kind)) return Error::Corrupt;
   const bool numbered = level >= 1 && level <= header.near.size();
   if (isNear(kind) ? !numbered : level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
   out = {kind, static_cast<int>(level), unpack(error), bytes, sum};

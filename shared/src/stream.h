@@ -23,6 +23,7 @@ struct Header {
   bool lossless = false;
   bool adaptive = false;   // layers are those of an AdaptiveMesh
   bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest topology, each refinement fills an octave
+  bool trimmed = false;  // a layer tells where the domain ends
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.
@@ -39,6 +40,10 @@ struct Header {
 
   /// Refinements from the base to the source's own grid: as few as the base allows.
   [[nodiscard]] int octaves() const;
+  /// Quanta to a grid step in which a domain's distances are told: as fine as the bound asks, 32 at most.
+  [[nodiscard]] int32_t domainFineness() const;
+  /// The diagonal of a cell in such quanta: no distance further away matters.
+  [[nodiscard]] int32_t domainReach() const;
   /// Offsets of samples that are whole numbers of quanta: the first one above the isovalue is positive.
   void countWhole(double step);
   /// The same stream as seen from another of its isovalues.
@@ -64,7 +69,7 @@ struct Header {
 [[nodiscard]] Header headerOf(const Sequence& sequence);
 
 /// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead of the octave.
-enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3, NearSigns = 6, NearGeometry = 7 };
+enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3, Domain = 4, NearSigns = 6, NearGeometry = 7 };
 
 struct LayerHead {
   LayerKind kind = LayerKind::Base;

@@ -35,7 +35,8 @@ struct VertexSet {
 template <int D>
 class Tube {
  public:
-  void enter(const Signs<D>& signs, std::size_t place, Members members) {
+  /// Not copied to each place that calls it: a page's decoder is to be small.
+  [[gnu::noinline]] void enter(const Signs<D>& signs, std::size_t place, Members members) {
     table_ = &signs.table();
     at_ = table_->brick(place);
     window_.load(signs, at_);

@@ -14,10 +14,11 @@ Header headerFrom(FuzzInput& input) {
   header.dimension = input.between(2, 4);
   for (int32_t& n : header.size) n = input.between(1, header.dimension == 4 ? 20 : 40);
   header.isovalue = isovalueFrom(input);
-  const int meshes = input.between(0, 3);
+  const int meshes = input.between(0, 4);
   header.adaptive = meshes == 0;
   header.keepsTopology = meshes == 1;
-  for (int i = header.adaptive ? 0 : input.between(0, 3); i > 0; --i) header.near.push_back(isovalueFrom(input));
+  header.trimmed = meshes == 4 && header.dimension == 3;
+  for (int i = header.adaptive || header.trimmed ? 0 : input.between(0, 3); i > 0; --i) header.near.push_back(isovalueFrom(input));
   header.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
   switch (input.between(0, 3)) {
     case 0: header.countWhole(1); break;

@@ -63,6 +63,16 @@ TEST(Damage, furtherIsovaluesAreHarmlessToo) {
   expectHarmlessFlips(smallFields()[1], options);
 }
 
+TEST(Damage, whereADomainEndsIsHarmlessToo) {
+  const SampledField field = within(halfSpace({0.6, 0.48, 0.64}, 7.3), smallFields()[0]);
+  EncodeOptions options;
+  options.maxError = 0.1;
+  expectHarmlessFlips(field, options);
+  options.polygonizer = Polygonizer::Tetrahedra;
+  options.lossless = true;
+  expectHarmlessFlips(within([](double x, double y, double z) { return noise(7)(x, y, z); }, smallFields()[1]), options);
+}
+
 TEST(Damage, aLayerThatIsBadLeavesTheOnesBefore) {
   const auto field = smallFields()[0];
   const Bytes good = encoded(field);

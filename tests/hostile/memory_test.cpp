@@ -82,6 +82,15 @@ TEST(HostileMemory, closeByIsovalues) {
   expectWithin(encoded(sampled("gyroid", size, gyroid(17)), options), 3);
 }
 
+TEST(HostileMemory, domains) {
+  const Size size{50, 61, 57};
+  EncodeOptions options;
+  for (const Field& domain : {halfSpace({0.6, 0.48, 0.64}, 48), noise(3)}) {
+    expectWithin(encoded(within(domain, sampled("gyroid", size, gyroid(17))), options), 3);
+    options.polygonizer = Polygonizer::Tetrahedra;
+  }
+}
+
 TEST(HostileMemory, whatWasSoundIsStillShown) {
   const Size size{50, 61, 57};
   for (const auto& [adaptive, welded] : {std::pair{false, false}, {true, false}, {false, true}}) {

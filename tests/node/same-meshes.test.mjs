@@ -4,7 +4,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { createDecoder } from 'isostar';
-import { all, encodeField, isostar, read } from './streams.mjs';
+import { all, encodeField, encodeTetrahedra, isostar, read } from './streams.mjs';
 
 const decoder = await createDecoder();
 after(() => decoder.dispose());
@@ -24,6 +24,7 @@ const streams = {
   adaptive: encodeField('adaptive', [40, 33, 36], (i, j, k) => 13 - Math.hypot(i - 19, j - 16, k - 17), '--max-error', '0.2', '--adaptive'),
   topology: encodeField('topology', [40, 33, 36], waves, '--preserve-topology'),
   several: encodeField('several', [24, 20, 26], (i, j, k) => Math.round(500 * waves(i, j, k)), '--near', '7.5,-20'),
+  trimmed: encodeTetrahedra('trimmed', 8, (i, j, k) => 4.3 - Math.hypot(i - 4.1, j - 3, k - 4.4), '--grid', '29'),
   noise: encodeField('noise', [14, 15, 16], noise),
   rough: encodeField('rough', [40, 9, 30], (i, j, k) => waves(i, j, k) + 0.5 * noise(i, j, k), '--max-error', '0.2'),
 };

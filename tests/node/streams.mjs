@@ -24,6 +24,44 @@ export function encodeField(name, [nx, ny, nz], field, ...options) {
   return stream;
 }
 
+/** Six tetrahedra in each of n³ unit cubes that stand aslant in the world, with a field's values at their corners, encoded at isovalue 0. */
+export function encodeTetrahedra(name, n, field, ...options) {
+  const points = [], values = [], cells = [];
+  for (let k = 0; k <= n; k++)
+    for (let j = 0; j <= n; j++)
+      for (let i = 0; i <= n; i++) {
+        points.push([0.8 * i - 0.6 * j, 0.6 * i + 0.8 * j, k + 0.3 * i].join(' '));
+        values.push(field(i, j, k));
+      }
+  const steps = [1, n + 1, (n + 1) ** 2];
+  for (let k = 0; k < n; k++)
+    for (let j = 0; j < n; j++)
+      for (let i = 0; i < n; i++)
+        for (const [a, b, c] of [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]]) {
+          const first = i + steps[1] * j + steps[2] * k;
+          cells.push([4, first, first + steps[a], first + steps[a] + steps[b], first + steps[a] + steps[b] + steps[c]].join(' '));
+        }
+  const mesh = join(folder, `${name}.vtk`);
+  const stream = join(folder, `${name}.isostar`);
+  writeFileSync(mesh, `# vtk DataFile Version 3.0
+${name}
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS ${points.length} float
+${points.join('\n')}
+CELLS ${cells.length} ${5 * cells.length}
+${cells.join('\n')}
+CELL_TYPES ${cells.length}
+${cells.map(() => 10).join('\n')}
+POINT_DATA ${values.length}
+SCALARS f float 1
+LOOKUP_TABLE default
+${values.join('\n')}
+`);
+  isostar('encode', mesh, stream, '--iso', '0', ...options);
+  return stream;
+}
+
 const ball = (size) => (i, j, k) => 0.4 * size - Math.hypot(i - size / 2, j - size / 2, k - size / 2) + 0.01;
 const gyroid = (period) => (i, j, k) => {
   const [x, y, z] = [i, j, k].map((c) => (2 * Math.PI * c) / period);

@@ -20,8 +20,9 @@ struct SampledField {
   Size size;
   std::vector<float> samples;
   Placement placement{};
+  std::vector<float> domain{};
 
-  [[nodiscard]] Volume volume() const { return {samples, size, placement}; }
+  [[nodiscard]] Volume volume() const { return {samples, size, placement, domain}; }
 };
 
 inline SampledField sampled(std::string name, const Size& size, const Field& field) {
@@ -32,6 +33,17 @@ inline SampledField sampled(std::string name, const Size& size, const Field& fie
     }
   }
   return result;
+}
+
+/// The same within a domain, told by the distance to its boundary.
+inline SampledField within(const Field& domain, SampledField field) {
+  field.domain = sampled("domain", field.size, domain).samples;
+  return field;
+}
+
+/// Where n · p is above a limit; n is a unit vector.
+inline Field halfSpace(const std::array<double, 3>& n, double limit) {
+  return [=](double x, double y, double z) { return n[0] * x + n[1] * y + n[2] * z - limit; };
 }
 
 inline Field sphere(const Size& size, double share = 0.35) {

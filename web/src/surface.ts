@@ -6,7 +6,7 @@ export type Frame = 'world' | 'grid';
 
 /** One piece of the stream after which the decoded surface is better. */
 export interface Layer {
-  readonly kind: 'base' | 'refinement' | 'geometry';
+  readonly kind: 'base' | 'refinement' | 'domain' | 'geometry';
   readonly level: number;
   /** The layer is complete after this many bytes of the stream. */
   readonly offset: number;

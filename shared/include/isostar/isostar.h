@@ -46,6 +46,10 @@ struct Volume {
   std::span<const float> samples;
   std::array<int32_t, 3> size{0, 0, 0};
   Placement placement;
+  /// Irregular data (§2): how far each sample lies from the boundary of the domain outside of which there is no field, in grid
+  /// steps along the smallest spacing, positive inside; finite, exact up to a cell's diagonal. The surface ends there. Empty: the
+  /// domain is the box. Samples outside continue the field by a cell's diagonal.
+  std::span<const float> domain{};
 };
 
 /// Any function of a point in the world, for sampled().
@@ -118,7 +122,7 @@ struct Limits {
 
 /// One piece of the stream after which the decoded surface is better.
 struct LayerInfo {
-  std::string kind;   // "base", "refinement", "geometry"
+  std::string kind;   // "base", "refinement", "domain", "geometry"
   int level = 0;      // octave: 0 is the base, the last is the source's own grid
   uint64_t offset = 0;  // the layer is complete after this many bytes of the file
   uint64_t bytes = 0;   // of the layer alone
@@ -138,14 +142,16 @@ struct StreamInfo {
   bool lossless = false;
   bool adaptive = false;    // the mesh is coarser where that keeps the bound (§4.3)
   bool preservesTopology = false;  // every layer's surface has the topology of the last one's (§4.3)
+  bool trimmed = false;     // the surface ends at the boundary of a domain inside the box (§2)
   double maxError = 0;      // the bound that was asked for; 0 for lossless
-  uint64_t vertices = 0;    // of the complete surface that `cubes` makes
+  uint64_t vertices = 0;    // of the complete surface that `cubes` makes, before it is trimmed
   uint64_t headerBytes = 0; // header and the layer heads so far
   uint64_t bytes = 0;       // of the whole stream, as soon as its header has arrived
   std::vector<LayerInfo> layers;
 };
 
-/// Appends a stream to `out`; on an error `out` is as it was. A surface without vertices is a valid stream.
+/// Appends a stream to `out`; on an error `out` is as it was. A surface without vertices is a valid stream. Of a volume with a
+/// domain, `near` and `preserveTopology` are a BadArgument, and `adaptive` makes no difference.
 [[nodiscard]] Error encode(const Volume&, const EncodeOptions&, std::vector<std::byte>& out);
 [[nodiscard]] Error encode(const Image&, const EncodeOptions&, std::vector<std::byte>& out);
 [[nodiscard]] Error encode(const Sequence&, const EncodeOptions&, std::vector<std::byte>& out);
