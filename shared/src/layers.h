@@ -119,17 +119,23 @@ struct Knowledge {
     return memory() + unfinished.memory() + Signs<D>::memoryToFill(places, places);
   }
 
+  /// Where scalars may be told: the last refinement knows, if there was one.
+  void findActive() {
+    active = refinement.takeActive();
+    if (active.size() != signs.table().total()) active = activeBricks(signs);
+  }
+
   /// Where the domain ends, near the finest octave's surface.
   template <class Exchange>
   ISOSTAR_SELDOM void tellDomain(Exchange& ask) {
-    active = activeBricks(signs);
+    findActive();
     domain = Scalars<D>(active.size());
     DomainCoder<D>(header.domainReach()).tell(ask, signs, active, header.polygonizer == Polygonizer::Tetrahedra, domain);
   }
 
   template <class Exchange>
   void geometry(Exchange& ask, const GeometryPass<D>& pass) {
-    if (active.empty()) active = activeBricks(signs);
+    if (active.empty()) findActive();
     if (scalars.places() == 0) scalars = Scalars<D>(active.size());
     if (pass.kind == LayerKind::Octaves) {
       told[static_cast<std::size_t>(pass.members)] = true;

@@ -66,6 +66,8 @@ class RefinementCoder {
     }
     return result;
   }
+  /// The bricks of the octave told last that touch the surface, and a few others, 1 marked, by place; none the second time.
+  [[nodiscard]] std::vector<uint8_t> takeActive() { return std::move(active_); }
   /// Has any slab of the octave been told?
   [[nodiscard]] bool began() const { return slabsTold_[D] != 0; }
 
