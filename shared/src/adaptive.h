@@ -60,9 +60,7 @@ class AdaptiveMesh {
   [[nodiscard]] uint64_t memoryToRefine() const {
     const BrickTable<D> finer(lattice().finer());
     const uint64_t places = finer.total();
-    uint64_t bricks = uint64_t{signs_.back().brickCount()} << D;
-    for (int a = 0; a < D; ++a) bricks += places / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
-    return 2 * places + Signs<D>::memoryToFill(places, bricks) + Signs<D>::memoryToFill(places, uint64_t{absent_.back().brickCount()} << D);
+    return 2 * places + Signs<D>::memoryToFill(places, mostRefinedBricks(signs_.back(), finer)) + Signs<D>::memoryToFill(places, uint64_t{absent_.back().brickCount()} << D);
   }
   /// The same for the next octave's scalars.
   [[nodiscard]] uint64_t memoryToTell() const { return told() > level() ? 0 : memoryForNext(octaves_.empty() ? nullptr : &octaves_.back(), told()); }
@@ -100,7 +98,7 @@ class AdaptiveMesh {
   ISOSTAR_SELDOM void fill(Exchange& ask, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
-    forEach(absent, [&](const Coordinates<D>& v) {
+    forEachMember(absent, [&](const Coordinates<D>& v) {
       auto corner = v;
       for (int a = 0; a < D; ++a) corner[a] -= signs.lattice().fresh(a, v[a]) ? 1 : 0;
       signs.set(v, signs.at(corner));
@@ -161,11 +159,6 @@ class AdaptiveMesh {
     for (int a = 0; a < D; ++a) brick[a] = v[a] / kBrickSide;
     return table.place(brick);
   }
-  static Coordinates<D> vertexOf(const Coordinates<D>& brick, std::size_t number) {
-    Coordinates<D> v;
-    for (int a = 0; a < D; ++a, number /= kBrickSide) v[a] = brick[a] * kBrickSide + static_cast<int32_t>(number % kBrickSide);
-    return v;
-  }
   static bool knows(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& brick, std::size_t r, int x) {
     return scalars.at(table.place(brick)).knows(r * kBrickSide + static_cast<std::size_t>(x));
   }
@@ -176,24 +169,10 @@ class AdaptiveMesh {
   static int32_t child(const Lattice<D>& coarse, const Lattice<D>& fine, int axis, int32_t plane) {
     return plane == coarse.last[axis] ? fine.last[axis] : 2 * plane;
   }
-  /// Calls visit(v) for each vertex of a set.
-  template <class Visit>
-  static void forEach(const Signs<D>& set, Visit visit) {
-    for (std::size_t place = 0; place < set.table().total(); ++place) {
-      if (set.index(place) == Signs<D>::kNegative) continue;
-      const auto brick = set.table().brick(place);
-      for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
-        for (uint32_t open = set.brickAt(place).rows[r]; open != 0; open &= open - 1) {
-          visit(vertexOf(brick, r * kBrickSide + static_cast<std::size_t>(std::countr_zero(open))));
-        }
-      }
-    }
-  }
-
   /// The absent vertices of a coarser octave on the next one's lattice.
   static Signs<D> inherited(const Signs<D>& coarse) {
     Signs<D> fine(coarse.lattice().finer());
-    forEach(coarse, [&](const Coordinates<D>& v) {
+    forEachMember(coarse, [&](const Coordinates<D>& v) {
       Coordinates<D> same;
       for (int a = 0; a < D; ++a) same[a] = child(coarse.lattice(), fine.lattice(), a, v[a]);
       fine.set(same, true);
@@ -216,7 +195,7 @@ class AdaptiveMesh {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
     const auto& coarser = signs_[static_cast<std::size_t>(level) - 1];
-    forEach(absent, [&](const Coordinates<D>& v) {
+    forEachMember(absent, [&](const Coordinates<D>& v) {
       const auto parent = onCoarser(signs.lattice(), v);
       if (!parent || this->absent(level - 1).at(*parent)) return;
       signs.set(v, coarser.at(*parent));
@@ -226,7 +205,7 @@ class AdaptiveMesh {
 
   /// Has the mesh the vertex, and is it one of a simplex that is not split further?
   [[nodiscard]] bool belongsToLeaf(const Coordinates<D>& brick, std::size_t r, int x, int level) const {
-    const auto v = vertexOf(brick, r * kBrickSide + static_cast<std::size_t>(x));
+    const auto v = vertexOf<D>(brick, r * kBrickSide + static_cast<std::size_t>(x));
     if (absent(level).at(v)) return false;
     if (level == this->level()) return true;
     const auto& finer = absent(level + 1);
@@ -288,7 +267,7 @@ class AdaptiveMesh {
       const auto& brick = coarser.scalars.at(place);
       for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
         if (!brick.knows(i)) continue;
-        auto v = vertexOf(from.table().brick(place), i);
+        auto v = vertexOf<D>(from.table().brick(place), i);
         for (int a = 0; a < D; ++a) v[a] = child(from.lattice(), octave.signs.lattice(), a, v[a]);
         octave.scalars.writable(placeOf(octave.signs.table(), v)).value[numberOf(v)] = brick.value[i];
       }
@@ -298,10 +277,10 @@ class AdaptiveMesh {
   /// Absent vertices: those of the coarser octave as they are there, the others halfway between the ends of their
   /// refinement edge.
   static void interpolate(const Signs<D>& absent, const AdaptiveOctave<D>& coarser, AdaptiveOctave<D>& octave) {
-    forEach(absent, [&](const Coordinates<D>& v) {
+    forEachMember(absent, [&](const Coordinates<D>& v) {
       if (const auto parent = onCoarser(octave.signs.lattice(), v)) octave.signs.set(v, coarser.signs.at(*parent));
     });
-    forEach(absent, [&](const Coordinates<D>& v) { halfway(v, octave); });
+    forEachMember(absent, [&](const Coordinates<D>& v) { halfway(v, octave); });
   }
 
   static void halfway(const Coordinates<D>& v, AdaptiveOctave<D>& octave) {

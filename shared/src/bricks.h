@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,6 +32,14 @@ struct Brick {
   std::array<uint8_t, power(kBrickSide, D - 1)> rows;
   friend bool operator==(const Brick&, const Brick&) = default;
 };
+
+/// A vertex by its brick and its number there.
+template <int D>
+Coordinates<D> vertexOf(const Coordinates<D>& brick, std::size_t number) {
+  Coordinates<D> v;
+  for (int a = 0; a < D; ++a, number /= kBrickSide) v[a] = brick[a] * kBrickSide + static_cast<int32_t>(number % kBrickSide);
+  return v;
+}
 
 /// A brick's place among bricks, and in the table.
 template <int D>
@@ -144,5 +153,19 @@ class Signs {
   std::vector<uint32_t> at_;
   std::vector<Brick<D>> bricks_;
 };
+
+/// Calls visit(v) for each positive vertex, as of a set; visit may turn v itself.
+template <int D, class Visit>
+void forEachMember(const Signs<D>& set, Visit visit) {
+  for (std::size_t place = 0; place < set.table().total(); ++place) {
+    if (set.index(place) == Signs<D>::kNegative) continue;
+    const auto brick = set.table().brick(place);
+    for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
+      for (uint32_t open = set.brickAt(place).rows[r]; open != 0; open &= open - 1) {
+        visit(vertexOf<D>(brick, r * kBrickSide + static_cast<std::size_t>(std::countr_zero(open))));
+      }
+    }
+  }
+}
 
 }  // namespace isostar

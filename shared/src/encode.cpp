@@ -121,11 +121,7 @@ class LayerWriter {
     what(ask);
     coder.finish();
     head.error = rms();
-    head.bytes = layer.size();
-    head.checksum = checksum(head, layer);
-    ByteWriter out(bytes_);
-    write(out, head);
-    bytes_.insert(bytes_.end(), layer.begin(), layer.end());
+    append(bytes_, head, layer);
   }
 
   [[nodiscard]] double rms() const {

@@ -109,11 +109,7 @@ class AdaptiveWriter {
     what(ask);
     coder.finish();
     head.error = states_ ? error() : 0;
-    head.bytes = layer.size();
-    head.checksum = checksum(head, layer);
-    ByteWriter out(bytes_);
-    write(out, head);
-    bytes_.insert(bytes_.end(), layer.begin(), layer.end());
+    append(bytes_, head, layer);
   }
 
   /// RMS distance of what a decoder shows now.

@@ -45,4 +45,15 @@ struct Lattice {
   }
 };
 
+/// Calls visit(v) for all vertices of a box, both corners included, the first axis fastest.
+template <int D, class Visit>
+void forEachBetween(const Coordinates<D>& low, const Coordinates<D>& high, Visit visit) {
+  for (auto v = low;;) {
+    visit(v);
+    int a = 0;
+    for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
+    if (a == D) return;
+  }
+}
+
 }  // namespace isostar

@@ -176,9 +176,7 @@ struct Knowledge {
   [[nodiscard]] uint64_t memoryToRefine() const {
     if (partial) return memoryBesideScalars();
     const BrickTable<D> finer(signs.lattice().finer());
-    uint64_t bricks = uint64_t{signs.brickCount()} << D;
-    for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
-    return memoryBesideScalars() + finer.total() + Signs<D>::memoryToFill(finer.total(), bricks);
+    return memoryBesideScalars() + finer.total() + Signs<D>::memoryToFill(finer.total(), mostRefinedBricks(signs, finer));
   }
 
   const Header& header;

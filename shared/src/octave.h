@@ -61,6 +61,14 @@ Signs<D> refined(const Signs<D>& coarse) {
   return fine;
 }
 
+/// The most bricks that refined() makes of an octave, on the table of the finer one.
+template <int D>
+uint64_t mostRefinedBricks(const Signs<D>& coarse, const BrickTable<D>& finer) {
+  uint64_t bricks = uint64_t{coarse.brickCount()} << D;
+  for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
+  return bricks;
+}
+
 /// The even bits of a byte, side by side.
 constexpr unsigned evenBits(unsigned byte) {
   byte &= 0x55;

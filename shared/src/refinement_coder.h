@@ -124,14 +124,11 @@ class RefinementCoder {
       low[a] = brick[a] * kBrickSide;
       high[a] = std::min(low[a] + kBrickSide - 1, lattice.last[a]);
     }
-    for (auto v = low;;) {
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& v) {
       std::size_t dimension = 0;
       for (int a = 0; a < D; ++a) dimension += lattice.fresh(a, v[a]) ? 1 : 0;
       if (dimension != 0) visit(v, dimension);
-      int a = 0;
-      for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
-      if (a == D) return;
-    }
+    });
   }
 
   /// By the set of fresh axes; made once, at run time, since the tables would be a large part of a small decoder.

@@ -197,6 +197,14 @@ void write(ByteWriter& out, const LayerHead& head) {
   else out.u32(head.checksum);
 }
 
+void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer) {
+  head.bytes = layer.size();
+  head.checksum = checksum(head, layer);
+  ByteWriter writer(out);
+  write(writer, head);
+  out.insert(out.end(), layer.begin(), layer.end());
+}
+
 Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   for (std::size_t i = 0; i < std::min(in.size(), kMagic.size()); ++i) {
     if (static_cast<uint8_t>(in[i]) != kMagic[i]) return Error::NotIsostar;

@@ -85,6 +85,8 @@ inline constexpr uint64_t kMostLayers = 255;
 
 void write(ByteWriter& out, const Header& header);
 void write(ByteWriter& out, const LayerHead& head);
+/// Appends a layer; length and checksum of its head are set here.
+void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer);
 
 /// Truncated where more bytes are needed; `used` then stays as it is.
 [[nodiscard]] Error read(std::span<const std::byte> in, Header& out, std::size_t& used);

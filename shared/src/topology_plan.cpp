@@ -10,17 +10,6 @@
 namespace isostar {
 namespace {
 
-/// Calls visit(v) for all vertices in a box, both corners included.
-template <int D, class Visit>
-void forEachBetween(const Coordinates<D>& low, const Coordinates<D>& high, Visit visit) {
-  for (auto v = low;;) {
-    visit(v);
-    int a = 0;
-    for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
-    if (a == D) return;
-  }
-}
-
 template <int D, class Visit>
 void forEachAround(const Lattice<D>& lattice, const Coordinates<D>& v, Visit visit) {
   Coordinates<D> low, high;
@@ -57,16 +46,6 @@ void forEachInBrick(const Signs<D>& signs, std::size_t place, Visit visit) {
     high[a] = std::min(low[a] + kBrickSide - 1, signs.lattice().last[a]);
   }
   forEachBetween<D>(low, high, visit);
-}
-
-template <int D, class Visit>
-void forEachMember(const Signs<D>& set, Visit visit) {
-  for (std::size_t place = 0; place < set.table().total(); ++place) {
-    if (set.index(place) == Signs<D>::kNegative) continue;
-    forEachInBrick(set, place, [&](const Coordinates<D>& v) {
-      if (set.at(v)) visit(v);
-    });
-  }
 }
 
 }  // namespace

@@ -23,12 +23,6 @@ EncodeOptions adaptive(double maxError, Polygonizer polygonizer = Polygonizer::C
   return options;
 }
 
-StreamInfo infoOf(const Bytes& bytes) {
-  StreamInfo info;
-  EXPECT_EQ(inspect(bytes, info), Error::None);
-  return info;
-}
-
 double furthestFromBall(const Mesh& mesh) {
   double most = 0;
   for (uint32_t i = 0; i < verticesOf(mesh); ++i) {

@@ -52,12 +52,6 @@ EncodeOptions preserving(Polygonizer polygonizer = Polygonizer::Cubes) {
   return options;
 }
 
-StreamInfo infoOf(const Bytes& bytes) {
-  StreamInfo info;
-  EXPECT_EQ(inspect(bytes, info), Error::None);
-  return info;
-}
-
 SampledField fieldOf(const char* name, const SampledShape<3>& shape) {
   SampledField field{name, {shape.box[0] + 1, shape.box[1] + 1, shape.box[2] + 1}, {}};
   for (const double value : shape.values) field.samples.push_back(static_cast<float>(value));

@@ -21,6 +21,12 @@ inline Bytes encoded(const SampledField& field, const EncodeOptions& options = {
   return bytes;
 }
 
+inline StreamInfo infoOf(const Bytes& bytes) {
+  StreamInfo info;
+  EXPECT_EQ(inspect(bytes, info), Error::None);
+  return info;
+}
+
 /// A decoder that has heard a prefix and been told that no more will come. Its bytes are a copy of their very length.
 inline Decoder decoderOf(std::span<const std::byte> prefix, const Limits& limits = {}) {
   const Bytes copy(prefix.begin(), prefix.end());
