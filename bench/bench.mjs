@@ -1,4 +1,4 @@
-// `npm run bench [-- --data DIR] [--rate] [--figure6] [--quick] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
+// `npm run bench [-- --data DIR] [--rate] [--figure6 | --paper] [--quick] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,8 +10,10 @@ import { figure6, figure6Inputs } from './figure6.mjs';
 import { curves, figures } from './figures.mjs';
 import { defaultInputs, inputsOf } from './inputs.mjs';
 import * as native from './native.mjs';
+import { paper } from './paper.mjs';
 import { plot } from './plot.mjs';
 import { detail, lowRates, overview, rates } from './tables.mjs';
+import { printVerdicts } from './verdicts.mjs';
 import { wasmTimes } from './wasm.mjs';
 
 const AT_ONCE = 2;  // sizes do not depend on what else the machine does; times do, and are taken one after the other
@@ -21,6 +23,7 @@ const { values: options } = parseArgs({
     data: { type: 'string' },  // a folder of NRRD files, with isovalues in its README.md
     rate: { type: 'boolean' },  // also against simplified meshes and other codecs, at five distances
     figure6: { type: 'boolean' },  // instead: the paper's figure 6, of the horse and five scans
+    paper: { type: 'boolean' },  // instead: what the paper promises beyond uniform streams
     quick: { type: 'boolean' },  // fewer points and rounds
     only: { type: 'string' },  // surfaces whose name contains this
     build: { type: 'string', default: fileURLToPath(new URL('../build', import.meta.url)) },
@@ -50,15 +53,6 @@ async function measureTimes(input) {
   };
 }
 
-function print(title, criteria) {
-  console.log(`\n${title}`);
-  const widths = ['what', 'target', 'measured'].map((key) => Math.max(...criteria.map((line) => line[key].length)));
-  for (const { what, target, measured, met } of criteria) {
-    const verdict = met === undefined ? '?' : met ? 'met' : 'MISSED';
-    console.log(`  ${what.padEnd(widths[0])}  ${target.padEnd(widths[1])}  ${measured.padEnd(widths[2])}  ${verdict}`);
-  }
-}
-
 function report(all) {
   const rated = options.rate ? [rates(all), lowRates(all)] : [];
   const tables = [overview(all), ...rated, ...all.map(detail)];
@@ -67,8 +61,8 @@ function report(all) {
   console.log(`\n${[overview(all), ...rated].join('\n\n')}`);
   const changed = changes(all, join(out, 'sizes.json'));
   if (changed.length) console.log(`\nbytes against the run before\n  ${changed.join('\n  ')}`);
-  print('the comparison', mainCriteria(all));
-  if (options.rate) print('the rate', rateCriteria(all));
+  printVerdicts('the comparison', mainCriteria(all));
+  if (options.rate) printVerdicts('the rate', rateCriteria(all));
 }
 
 async function compare(inputs) {
@@ -90,4 +84,5 @@ const inputs = (options.data ? inputsOf(options.data) : defaultInputs(join(build
   .filter(({ name }) => name.includes(options.only ?? ''));
 mkdirSync(out, { recursive: true });
 if (options.figure6) await figure6((input) => native.figure6(program, input, options), AT_ONCE, figure6Inputs(inputs), out);
+else if (options.paper) await paper(build, inputs, options, AT_ONCE, out);
 else await compare(inputs);

@@ -22,3 +22,21 @@ export const times = (program, input, folder, { quick }) =>
   run(program, ['times', ...subject(input), '--keep', folder, '--milliseconds', quick ? '200' : '1500']);
 
 export const memory = (program, codec, file) => run(program, ['memory', codec, file]);
+
+const measuring = ({ quick }, more = []) => (quick ? ['--points', '2000', ...more] : []);
+
+export const adaptive = (program, input, maxError, options) =>
+  run(program, ['adaptive', ...subject(input), '--max-error', String(maxError), ...measuring(options, ['--prefixes', '6'])]);
+
+export const topology = (program, input) => run(program, ['topology', ...subject(input)]);
+
+export const near = (program, input, isovalue) => run(program, ['near', ...subject(input), '--near', String(isovalue)]);
+
+export const image = (program, file, isovalue) => run(program, ['image', file, '--iso', String(isovalue)]);
+
+/** Encodes as a user would, then measures what was written. */
+export async function tetrahedra(program, command, { volume, isovalue, grid }, stream, options) {
+  const given = ['--iso', String(isovalue)];
+  await run(command, ['encode', volume, stream, ...given, ...(grid ? ['--grid', String(grid)] : []), '--json']);
+  return run(program, ['tetrahedra', volume, stream, ...given, ...measuring(options)]);
+}

@@ -9,20 +9,34 @@ std::vector<std::byte> encoded(const Subject& subject, const EncodeOptions& opti
   return stream;
 }
 
+EncodeOptions boundedBy(double maxError, const Subject& subject) {
+  EncodeOptions options;
+  options.isovalue = subject.isovalue;
+  options.maxError = maxError;
+  return options;
+}
+
 }  // namespace
 
 std::vector<std::byte> encodeIsostar(const Subject& subject, double maxError) {
-  EncodeOptions options;
-  options.isovalue = subject.isovalue;
-  options.maxError = maxError;
-  return encoded(subject, options);
+  return encoded(subject, boundedBy(maxError, subject));
 }
 
 std::vector<std::byte> encodeIsostarAdaptive(const Subject& subject, double maxError) {
-  EncodeOptions options;
-  options.isovalue = subject.isovalue;
-  options.maxError = maxError;
+  EncodeOptions options = boundedBy(maxError, subject);
   options.adaptive = true;
+  return encoded(subject, options);
+}
+
+std::vector<std::byte> encodeIsostarOfOneTopology(const Subject& subject, double maxError) {
+  EncodeOptions options = boundedBy(maxError, subject);
+  options.preserveTopology = true;
+  return encoded(subject, options);
+}
+
+std::vector<std::byte> encodeIsostarWith(const Subject& subject, double near, double maxError) {
+  EncodeOptions options = boundedBy(maxError, subject);
+  options.near = {near};
   return encoded(subject, options);
 }
 

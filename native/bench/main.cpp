@@ -6,21 +6,12 @@
 
 #include "bench/figure6.h"
 #include "bench/memory.h"
+#include "bench/paper_commands.h"
 #include "bench/sizes.h"
+#include "bench/subject_command.h"
 #include "bench/times.h"
 
-namespace {
-
 using namespace isostar::bench;
-
-CLI::App& addSubject(CLI::App& app, const std::string& name, const std::string& help, SubjectRequest& request) {
-  CLI::App& command = *app.add_subcommand(name, help);
-  command.add_option("volume", request.path, "A volume, or synthetic:sphere, torus, gyroid or noise")->required();
-  command.add_option("--iso", request.isovalue, "The isovalue; without it Otsu's threshold");
-  return command;
-}
-
-}  // namespace
 
 int main(int count, char** words) {
   CLI::App app("Compares isostar with Draco and others", "isostar_bench");
@@ -29,21 +20,15 @@ int main(int count, char** words) {
 
   SizeOptions sizeOptions;
   CLI::App& sizesCommand = addSubject(app, "sizes", "Bytes and distances", request);
-  sizesCommand.add_option("--points", sizeOptions.points, "Points that tell a distance")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  sizesCommand.add_option("--prefixes", sizeOptions.prefixes, "Prefixes between the layers' ends")
-      ->capture_default_str();
+  addPoints(sizesCommand, sizeOptions.points);
+  addPrefixes(sizesCommand, sizeOptions.prefixes);
   sizesCommand.add_flag("--rate", sizeOptions.rate, "Also simplified meshes and other codecs");
   sizesCommand.callback([&] { std::cout << sizes(readSubject(request), sizeOptions) << "\n"; });
 
   Figure6Options figureOptions;
   CLI::App& figureCommand = addSubject(app, "figure6", "Rate and distortion as in the paper's figure 6", request);
-  figureCommand.add_option("--points", figureOptions.points, "Points that tell a distance")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  figureCommand.add_option("--prefixes", figureOptions.prefixes, "Prefixes between the layers' ends")
-      ->capture_default_str();
+  addPoints(figureCommand, figureOptions.points);
+  addPrefixes(figureCommand, figureOptions.prefixes);
   figureCommand.callback([&] { std::cout << figure6(readSubject(request), figureOptions) << "\n"; });
 
   TimeOptions timeOptions;
@@ -52,6 +37,8 @@ int main(int count, char** words) {
       ->capture_default_str();
   timesCommand.add_option("--keep", timeOptions.keep, "Folder for surface.isostar and surface.drc");
   timesCommand.callback([&] { std::cout << times(readSubject(request), timeOptions) << "\n"; });
+
+  addPaperCommands(app);
 
   std::string codec, path;
   CLI::App& memoryCommand = *app.add_subcommand("memory", "Peak memory of one decoder");

@@ -13,6 +13,7 @@ using measure::Distance;
 
 namespace {
 
+constexpr double kOtherBounds[] = {0.4, 0.2, 0.1, 0.025, 0.0125};
 constexpr double kShares[] = {0.02, 0.05, 0.1};  // of a stream, at which low rates are judged
 
 Mesh meshInGridSteps(const Decoder& decoder, const Subject& subject) {
@@ -32,6 +33,14 @@ std::set<size_t> prefixSizes(const StreamInfo& info, int steps) {
 }
 
 }  // namespace
+
+Json layerJson(const LayerInfo& layer) {
+  return {{"kind", layer.kind},
+          {"level", layer.level},
+          {"offset", layer.offset},
+          {"bytes", layer.bytes},
+          {"error", layer.error}};
+}
 
 Json point(size_t bytes, const std::optional<Distance>& distance) {
   Json json = {{"bytes", bytes}, {"rms", nullptr}, {"max", nullptr}};
@@ -62,6 +71,16 @@ Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, cons
     Json json = point(bytes, distance);
     json["layerEnd"] = std::ranges::any_of(info.layers, [&](const LayerInfo& layer) { return layer.offset == bytes; });
     points.push_back(json);
+  }
+  return points;
+}
+
+Json otherBounds(const Subject& subject, const Ruler& ruler) {
+  Json points = Json::array();
+  for (double bound : kOtherBounds) {
+    const std::vector<std::byte> stream = encodeIsostar(subject, bound);
+    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.back()["maxError"] = bound;
   }
   return points;
 }

@@ -1,0 +1,93 @@
+// What adaptive streams, streams of one topology, close-by isosurfaces, tetrahedra and images have to show: { what, target, measured, met }.
+import { bytesAt, envelope } from './curve.mjs';
+import { fixed, kilobytes, significant } from './format.mjs';
+
+const ROUNDING = 1e-3;  // grid steps: coordinates are floats
+const FIRST_PICTURE = 30;  // bytes
+
+/** The smallest uniform stream at a distance: a prefix of the default one, or one made with another bound. */
+const uniformAt = ({ prefixes, bounds }, rms) => smallest(bytesAt(prefixes, rms), bytesAt(envelope([...bounds, prefixes.at(-1)]), rms));
+const simplifiedAt = ({ draco, simplified }, rms) => bytesAt(envelope([...draco, ...simplified]), rms);
+
+function smallest(...sizes) {
+  const known = sizes.filter((size) => size !== undefined);
+  return known.length ? Math.min(...known) : undefined;
+}
+
+/** An adaptive stream beside what others take at its own RMS distance. */
+export function adaptiveFigures(one) {
+  const { bytes, rms, max } = one.adaptive;
+  return { name: one.name, bytes, rms, max, sameBound: one.uniform, uniform: uniformAt(one, rms), simplified: simplifiedAt(one, rms) };
+}
+
+/** A stream of tetrahedra; Draco's is a mesh of their own isosurface. */
+export function tetrahedraFigures(one) {
+  const rms = Math.max(one.there.rms, one.back.rms);
+  const draco = bytesAt(envelope(one.draco), rms);
+  const grid = one.size.join(' × ');
+  return { ...one, grid, rms, max: Math.max(one.there.max, one.back.max), dracoBytes: draco, simplifiedBytes: simplifiedAt(one, rms) };
+}
+
+export const nearShare = ({ bytes, otherBytes, together }) => (together - bytes) / otherBytes;
+
+/** Whether every layer's surface has the components and the genus of the last one's. */
+export function keepsTopology({ layers }) {
+  const last = layers.at(-1);
+  return last.genus !== null && layers.every(({ components, genus }) => components === last.components && genus === last.genus);
+}
+
+function atMost(what, target, ratio, words) {
+  if (ratio === undefined || Number.isNaN(ratio)) return { what, target: `≤ ${fixed(target, 2)}`, measured: 'not reached by the others', met: undefined };
+  return { what, target: `≤ ${fixed(target, 2)}`, measured: `${fixed(ratio, 2)} (${words})`, met: ratio <= target };
+}
+
+function adaptiveCriteria(bound, one) {
+  const { bytes, rms, max, uniform, simplified } = adaptiveFigures(one);
+  const what = `${one.name} --adaptive --max-error ${bound}`;
+  return [
+    { what: `${what}: distance both ways`, target: `≤ ${bound}`, measured: significant(max), met: max <= bound + ROUNDING },
+    atMost(`${what}: bytes against uniform at equal RMS`, 0.5, uniform && bytes / uniform, `${kilobytes(bytes)} and ${kilobytes(uniform)} kB at ${significant(rms)}`),
+    atMost(`${what}: against simplify × Draco`, 1, simplified && bytes / simplified, `${kilobytes(bytes)} and ${kilobytes(simplified)} kB at ${significant(rms)}`),
+  ];
+}
+
+function topologyCriterion(one) {
+  const { components, genus } = one.layers.at(-1);
+  const like = one.layers.filter((layer) => layer.components === components && layer.genus === genus).length;
+  const price = fixed(100 * (one.bytes / one.uniform - 1), 1);
+  return {
+    what: `${one.name} --preserve-topology: components and genus as the last layer`,
+    target: 'every layer',
+    measured: `${like} of ${one.layers.length}: ${components}, ${genus ?? 'no manifold'}; ${price} % more bytes`,
+    met: keepsTopology(one),
+  };
+}
+
+function tetrahedraCriteria(one) {
+  const { bytes, bound, rms, max, grid, dracoBytes } = tetrahedraFigures(one);
+  const what = `${one.name} ${one.isovalue} at ${grid}`;
+  return [
+    { what: `${what}: distance both ways, grid steps`, target: `≤ ${bound}`, measured: `${significant(one.there.max)} there, ${significant(one.back.max)} back`, met: max <= bound + ROUNDING },
+    atMost(`${what}: bytes against Draco at equal RMS`, 1 / 3, dracoBytes && bytes / dracoBytes, `${kilobytes(bytes)} and ${kilobytes(dracoBytes)} kB at ${significant(rms)}`),
+  ];
+}
+
+function imageCriteria({ layers, lossless, bytes }) {
+  const [first] = layers;
+  const falling = layers.every(({ error }, i) => i === 0 || error < layers[i - 1].error);
+  return [
+    { what: 'image, first picture, bytes', target: `< ${FIRST_PICTURE}`, measured: String(first.offset), met: first.offset < FIRST_PICTURE },
+    { what: 'image, on to lossless', target: 'each layer nearer', measured: `${layers.length} layers, ${bytes} bytes, ${lossless ? 'the same points' : 'other points'}`, met: lossless && falling },
+  ];
+}
+
+export function paperCriteria({ bound, adaptive, topology, near, tetrahedra, image }) {
+  return [
+    ...adaptive.flatMap((one) => adaptiveCriteria(bound, one)),
+    ...topology.map(topologyCriterion),
+    ...near.map((one) =>
+      atMost(`${one.name} --near ${fixed(one.other, 2)}: on top, of its own file`, 0.5, nearShare(one), `${kilobytes(one.together - one.bytes)} of ${kilobytes(one.otherBytes)} kB`)),
+    ...tetrahedra.flatMap(tetrahedraCriteria),
+    ...image.flatMap(imageCriteria),
+  ];
+}

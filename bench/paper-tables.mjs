@@ -1,0 +1,68 @@
+// The tables of design.md that `npm run bench -- --paper` measures.
+import { fixed, significant, table } from './format.mjs';
+import { adaptiveFigures, nearShare, tetrahedraFigures } from './paper-criteria.mjs';
+
+const EXACT = 1e-5;  // a stated error that stands for none
+
+const whole = (bytes) => (bytes === undefined ? '–' : String(Math.round(bytes)));
+
+const adaptiveTable = (bound, all) =>
+  table(all.map(adaptiveFigures), [
+    [`--max-error ${bound}`, (row) => row.name],
+    ['uniform, bytes', (row) => whole(row.sameBound)],
+    ['adaptive, bytes', (row) => whole(row.bytes)],
+    ['RMS', (row) => significant(row.rms)],
+    ['max', (row) => fixed(row.max, 3)],
+    ['uniform at that RMS', (row) => whole(row.uniform)],
+    ['simplify × Draco at that RMS', (row) => whole(row.simplified)],
+  ]);
+
+const topologyTable = (all) =>
+  table(all, [
+    ['--preserve-topology', (row) => row.name],
+    ['uniform, bytes', (row) => row.uniform],
+    ['one topology, bytes', (row) => row.bytes],
+    ['first surface, bytes', (row) => row.layers[0].offset],
+    ['components, genus of the last layer', (row) => `${row.layers.at(-1).components}, ${row.layers.at(-1).genus ?? '–'}`],
+  ]);
+
+const nearTable = (all) =>
+  table(all, [
+    ['--near', (row) => `${row.name}, ${fixed(row.other, 2)}`],
+    ['first alone, bytes', (row) => row.bytes],
+    ['second alone', (row) => row.otherBytes],
+    ['second on top', (row) => row.together - row.bytes],
+    ['of its own file', (row) => `${fixed(100 * nearShare(row), 1)} %`],
+  ]);
+
+const tetrahedraTable = (all) =>
+  table(all.map(tetrahedraFigures), [
+    ['tetrahedra', (row) => `${row.name} ${row.isovalue}`],
+    ['grid', (row) => row.grid],
+    ['bytes', (row) => row.bytes],
+    ['RMS there', (row) => significant(row.there.rms)],
+    ['max', (row) => significant(row.there.max)],
+    ['RMS back', (row) => significant(row.back.rms)],
+    ['max', (row) => significant(row.back.max)],
+    ['Draco at that RMS', (row) => whole(row.dracoBytes)],
+    ['simplify × Draco', (row) => whole(row.simplifiedBytes)],
+  ]);
+
+const imageTable = ([{ layers }]) =>
+  table(layers, [
+    ['image', (row) => `${row.kind} ${row.level}`],
+    ['bytes', (row) => row.offset],
+    ['RMS', (row) => (row.error < EXACT ? 0 : significant(row.error))],
+  ]);
+
+/** Of what has been measured; distances are grid steps. */
+export function paperTables({ bound, adaptive, topology, near, tetrahedra, image }) {
+  const tables = [
+    adaptive.length && adaptiveTable(bound, adaptive),
+    topology.length && topologyTable(topology),
+    near.length && nearTable(near),
+    tetrahedra.length && tetrahedraTable(tetrahedra),
+    image.length && imageTable(image),
+  ];
+  return `${tables.filter(Boolean).join('\n\n')}\n`;
+}

@@ -1,0 +1,16 @@
+#include "bench/close_by.h"
+
+#include "bench/isostar_codec.h"
+
+namespace isostar::bench {
+
+nlohmann::ordered_json closeBy(const Subject& subject, double other) {
+  const double bound = EncodeOptions{}.maxError;
+  return {{"isovalue", subject.isovalue},
+          {"other", other},
+          {"bytes", encodeIsostar(subject, bound).size()},
+          {"otherBytes", encodeIsostar({subject.volume, other, {}}, bound).size()},
+          {"together", encodeIsostarWith(subject, other, bound).size()}};
+}
+
+}  // namespace isostar::bench

@@ -1,0 +1,22 @@
+#include "bench/subject_command.h"
+
+namespace isostar::bench {
+
+CLI::App& addSubject(CLI::App& app, const std::string& name, const std::string& help, SubjectRequest& request) {
+  CLI::App& command = *app.add_subcommand(name, help);
+  command.add_option("volume", request.path, "A volume, or synthetic:sphere, torus, gyroid or noise")->required();
+  command.add_option("--iso", request.isovalue, "The isovalue; without it Otsu's threshold");
+  return command;
+}
+
+void addPoints(CLI::App& command, size_t& points) {
+  command.add_option("--points", points, "Points that tell a distance")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+}
+
+void addPrefixes(CLI::App& command, int& prefixes) {
+  command.add_option("--prefixes", prefixes, "Prefixes between the layers' ends")->capture_default_str();
+}
+
+}  // namespace isostar::bench

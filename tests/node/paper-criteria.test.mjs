@@ -1,0 +1,56 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { adaptiveFigures, keepsTopology, nearShare, paperCriteria } from '../../bench/paper-criteria.mjs';
+import { paperTables } from '../../bench/paper-tables.mjs';
+
+const points = (...pairs) => pairs.map(([bytes, rms]) => ({ bytes, rms }));
+const layers = (...pairs) => pairs.map(([components, genus], i) => ({ offset: 10 * (i + 1), components, genus }));
+
+const adaptive = {
+  name: 'egg',
+  uniform: 900,
+  adaptive: { bytes: 400, rms: 0.1, max: 0.19 },
+  prefixes: points([100, 0.5], [1000, 0.1], [2000, 0.01]),
+  bounds: points([800, 0.1], [1500, 0.02]),
+  draco: points([5000, 0.1], [9000, 0.01]),
+  simplified: points([300, 0.05], [6000, 0.02]),
+};
+const topology = { name: 'knot', bytes: 110, uniform: 100, layers: layers([2, 1], [2, 1]) };
+const near = { name: 'head', other: 51, bytes: 1000, otherBytes: 900, together: 1090 };
+const tetrahedra = {
+  name: 'fin', isovalue: 1, size: [9, 5, 5], bound: 0.05, bytes: 100,
+  there: { rms: 0.02, max: 0.04 }, back: { rms: 0.03, max: 0.06 },
+  draco: points([200, 0.1], [400, 0.03]), simplified: points([90, 0.02]),
+};
+const image = { bytes: 60, lossless: true, layers: [{ kind: 'base', level: 0, offset: 27, error: 5 }, { kind: 'geometry', level: 0, offset: 60, error: 0 }] };
+const all = { bound: 0.2, adaptive: [adaptive], topology: [topology], near: [near], tetrahedra: [tetrahedra], image: [image] };
+const verdicts = (measured) => paperCriteria(measured).map(({ met }) => met);
+
+test('an adaptive stream stands beside the smallest uniform one and the smallest mesh of its distance', () => {
+  const { uniform, simplified } = adaptiveFigures(adaptive);
+  assert.deepEqual({ uniform, simplified }, { uniform: 800, simplified: undefined }, 'a curve that starts nearer tells nothing');
+  assert.equal(adaptiveFigures({ ...adaptive, simplified: points([200, 0.2], [600, 0.1]) }).simplified, 600);
+});
+
+test('each criterion says whether it is met', () => {
+  assert.deepEqual(verdicts(all), [true, true, undefined, true, true, false, true, true, true]);
+  assert.equal(verdicts({ ...all, adaptive: [{ ...adaptive, adaptive: { bytes: 401, rms: 0.1, max: 0.3 } }] })[0], false);
+  assert.equal(verdicts({ ...all, adaptive: [{ ...adaptive, adaptive: { bytes: 401, rms: 0.1, max: 0.1 } }] })[1], false);
+  assert.equal(verdicts({ ...all, image: [{ ...image, lossless: false }] }).at(-1), false);
+});
+
+test('topology counts on every layer, and only of manifolds', () => {
+  assert.ok(keepsTopology(topology));
+  assert.ok(!keepsTopology({ layers: layers([2, 0], [2, 1]) }));
+  assert.ok(!keepsTopology({ layers: layers([3, 1], [2, 1]) }));
+  assert.ok(!keepsTopology({ layers: layers([2, null], [2, null]) }));
+});
+
+test('a second isovalue costs what it adds', () => assert.equal(nearShare(near), 0.1));
+
+test('what has not been measured has no row', () => {
+  const none = { bound: 0.2, adaptive: [], topology: [], near: [], tetrahedra: [], image: [image] };
+  assert.equal(paperCriteria(none).length, 2);
+  assert.match(paperTables(none), /^\| image \|/);
+  assert.match(paperTables(all), /egg \| 900 \| 400 /);
+});
