@@ -7,9 +7,11 @@
 #include "mesh_io/mesh_file.h"
 #include "model/model_volume.h"
 #include "tetrahedra/formats.h"
+#include "tetrahedra/grid_over.h"
 #include "tetrahedra/marching_tetrahedra.h"
 #include "tetrahedra/resample.h"
 #include "tetrahedra/tetrahedral_field.h"
+#include "volume/placement.h"
 
 namespace isostar::native {
 namespace {
@@ -35,7 +37,7 @@ std::string remarkOnSampling(const LoadedVolume& volume, const TetrahedralField&
   if (polygonize(volume.view(), isovalue, {.normals = false}, surface) != Error::None) return {};
   const auto distance = measure::surfaceDistance(surface, isosurfaceOf(field.mesh(), isovalue));
   if (!distance) return {};
-  const double step = volume.placement.spacing[0];
+  const double step = smallestSpacing(volume.placement);
   return text("sampled at %d x %d x %d points, up to %.2g grid steps from the tetrahedra's isosurface (RMS %.2g)",
               volume.size[0], volume.size[1], volume.size[2], distance->symmetric().max / step,
               distance->symmetric().rms / step);
@@ -44,7 +46,7 @@ std::string remarkOnSampling(const LoadedVolume& volume, const TetrahedralField&
 LoadedVolume readOnGrid(const SourceRequest& request) {
   const std::string& path = request.volume.path;
   const TetrahedralField field(readTetrahedra(path, request.scalar));
-  const CubicGrid grid = gridOver(field, isovalueOf(request), request.grid, path);
+  const SampleGrid grid = gridOver(field, isovalueOf(request), request.grid, path);
   ProgressBar bar("sampling tetrahedra");
   LoadedVolume volume;
   ResampledField sampled = resample(field, grid, [&bar](double done) { bar.show(done); });
@@ -52,7 +54,7 @@ LoadedVolume readOnGrid(const SourceRequest& request) {
   volume.domain = std::move(sampled.domain);
   volume.size = grid.size;
   volume.placement.origin = {grid.low.x, grid.low.y, grid.low.z};
-  volume.placement.spacing = {grid.step, grid.step, grid.step};
+  volume.placement.spacing = {grid.steps.x, grid.steps.y, grid.steps.z};
   volume.remarks = field.mesh().remarks;
   if (const std::string remark = remarkOnSampling(volume, field, isovalueOf(request)); !remark.empty())
     volume.remarks.push_back(remark);

@@ -6,6 +6,8 @@
 #include "files/failure.h"
 #include "measure/surface_distance.h"
 #include "measure/topology.h"
+#include "tetrahedra/flat_boundary.h"
+#include "tetrahedra/grid_over.h"
 #include "tetrahedra/marching_tetrahedra.h"
 #include "tetrahedra/mend.h"
 #include "tetrahedra/resample.h"
@@ -198,7 +200,7 @@ TEST(Trimmed, endsAtTheDomainsBoundary) {
 
 TEST(Resample, keepsALinearFieldAndTellsWhereItEnds) {
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
-  const CubicGrid grid{{-1, -1, -1}, 0.5, {13, 13, 13}};
+  const SampleGrid grid{{-1, -1, -1}, {0.5, 0.5, 0.5}, {13, 13, 13}};
   const ResampledField sampled = resample(field, grid, [](double) {});
   for (int k = 0; k < 13; ++k)
     for (int j = 0; j < 13; ++j)
@@ -210,7 +212,7 @@ TEST(Resample, keepsALinearFieldAndTellsWhereItEnds) {
           ASSERT_NEAR(sampled.samples[at], linear(p), 1e-5);
         }
         if (depth >= 0) {
-          ASSERT_NEAR(sampled.domain[at], std::min(4.0, depth / 0.5), 1e-5);
+          ASSERT_NEAR(sampled.domain[at], std::min<double>(kDomainBand, depth / 0.5), 1e-5);
         } else {
           ASSERT_LT(sampled.domain[at], -0.99);
         }
@@ -227,18 +229,76 @@ TEST(Resample, gridsCoverTheMesh) {
   EXPECT_THROW((void)gridOver(field, 0, 2048, "mesh"), Failure);
 }
 
+/// Two rooms of 4 × 4 × 4 with air of that thickness between them, linear across both.
+TetrahedralField roomsApart(double thickness) {
+  TetrahedralMesh rooms = cubesOfTetrahedra(4, linear), other = rooms;
+  for (Vector3& point : other.points) point.x += 4 + thickness;
+  for (size_t i = 0; i < other.points.size(); ++i) other.values[i] = static_cast<float>(linear(other.points[i]));
+  return fieldOf(together(rooms, other));
+}
+
+TEST(FlatParts, areWallsAndHowMuchOfTheBoundaryTheyAre) {
+  const auto parts = flatParts(roomsApart(1).boundary().mesh);
+  ASSERT_EQ(parts[0].size(), 4u);
+  const std::array<double, 4> walls = {0, 4, 5, 9};
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(parts[0][i].place, walls[i], 1e-6);
+    EXPECT_NEAR(parts[0][i].share, 1.0 / 12, 1e-6);
+  }
+  ASSERT_EQ(parts[2].size(), 2u);
+  EXPECT_NEAR(parts[2][1].share, 1.0 / 6, 1e-6);
+}
+
+TEST(GridOver, hasBoxAndWallsOnItsPlanes) {
+  const TetrahedralField field = roomsApart(1);
+  const SampleGrid grid = gridOver(field, 4, {}, "mesh");
+  for (const double wall : {0.0, 4.0, 5.0, 9.0}) {
+    const double plane = wall / grid.steps.x;
+    EXPECT_NEAR(plane, std::round(plane), 1e-6) << wall;
+  }
+  EXPECT_NEAR((grid.size[0] - 1) * grid.steps.x, 9, 1e-6);
+  EXPECT_NEAR((grid.size[2] - 1) * grid.steps.z, 4, 1e-6);
+  EXPECT_LE(grid.steps.z, 1.0 / 2 * std::sqrt(3)) << "two steps to an edge";
+}
+
+TEST(GridOver, stepsOfAThinMeshAreNotOfAnotherScale) {
+  TetrahedralMesh mesh = cubesOfTetrahedra(8, ball);
+  for (Vector3& point : mesh.points) point.z *= 1e-6;
+  const SampleGrid grid = gridOver(fieldOf(mesh), 0, 33, "mesh");
+  EXPECT_EQ(grid.size[2], 2);
+  EXPECT_LE(grid.steps.x / grid.steps.z, 4.0001);
+}
+
+TEST(Resample, hasNoDomainWhereThatIsTheGrid) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
+  EXPECT_TRUE(resample(field, gridOver(field, 4, 17, "mesh"), [](double) {}).domain.empty());
+}
+
+TEST(Resample, seesAirOneStepThick) {
+  const TetrahedralField field = roomsApart(1);
+  const SampleGrid grid{{0, 0, 0}, {1, 1, 1}, {10, 5, 5}};
+  const ResampledField sampled = resample(field, grid, [](double) {});
+  Volume volume{sampled.samples, grid.size, {}, sampled.domain};
+  Mesh surface;
+  ASSERT_EQ(polygonize(volume, 4.1, {.normals = false}, surface), Error::None);
+  EXPECT_EQ(measure::topologyOf(surface).components, 2u);
+  const auto distance = measure::surfaceDistance(surface, isosurfaceOf(field.mesh(), 4.1));
+  ASSERT_TRUE(distance);
+  EXPECT_LT(distance->symmetric().max, 0.05);
+}
+
 TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
   const auto wave = [](const Vector3& p) { return p.z - 4.2 - std::sin(0.7 * p.x) * std::cos(0.5 * p.y); };
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, wave));
-  const CubicGrid grid = gridOver(field, 0, 65, "mesh");
+  const SampleGrid grid = gridOver(field, 0, 65, "mesh");
   const ResampledField sampled = resample(field, grid, [](double) {});
   Volume volume{sampled.samples, grid.size, {}};
-  volume.placement.spacing = {grid.step, grid.step, grid.step};
+  volume.placement.spacing = {grid.steps.x, grid.steps.y, grid.steps.z};
   Mesh surface;
   ASSERT_EQ(polygonize(volume, 0, {.normals = false}, surface), Error::None);
   const auto distance = distanceToTetrahedra(surface, field, isosurfaceOf(field.mesh(), 0));
-  EXPECT_LT(distance->symmetric().max, 0.5 * grid.step);
-  EXPECT_LT(distance->symmetric().rms, 0.1 * grid.step);
+  EXPECT_LT(distance->symmetric().max, 0.5 * grid.smallestStep());
+  EXPECT_LT(distance->symmetric().rms, 0.1 * grid.smallestStep());
 }
 
 }  // namespace

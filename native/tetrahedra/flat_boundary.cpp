@@ -1,0 +1,55 @@
+#include "tetrahedra/flat_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/triangle.h"
+
+namespace isostar::native {
+namespace {
+
+using measure::Vector3;
+
+constexpr double kRounding = 1e-6;  // of the largest coordinate: they are single-precision numbers
+
+std::array<double, 3> coordinates(const Vector3& p) {
+  return {p.x, p.y, p.z};
+}
+
+void joinNeighbours(std::vector<FlatPart>& parts, double rounding) {
+  std::sort(parts.begin(), parts.end(), [](const FlatPart& a, const FlatPart& b) { return a.place < b.place; });
+  size_t kept = 0;
+  for (size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].place - parts[kept].place <= rounding)
+      parts[kept].share += parts[i].share;
+    else
+      parts[++kept] = parts[i];
+  }
+  parts.resize(std::min(parts.size(), kept + 1));
+}
+
+}  // namespace
+
+std::array<std::vector<FlatPart>, 3> flatParts(const Mesh& boundary) {
+  std::array<std::vector<FlatPart>, 3> parts;
+  double whole = 0, largest = 0;
+  for (float x : boundary.positions) largest = std::max(largest, std::abs(double{x}));
+  const double rounding = kRounding * largest;
+  for (size_t t = 0; t < boundary.triangles.size(); t += 3) {
+    const auto corner = [&](size_t c) { return measure::vertexAt(boundary.positions, boundary.triangles[t + c]); };
+    const double area = measure::Triangle{corner(0), corner(1), corner(2)}.area();
+    const auto a = coordinates(corner(0)), b = coordinates(corner(1)), c = coordinates(corner(2));
+    for (size_t axis = 0; axis < 3; ++axis) {
+      if (std::max(std::abs(a[axis] - b[axis]), std::abs(a[axis] - c[axis])) <= rounding)
+        parts[axis].push_back({a[axis], area});
+    }
+    whole += area;
+  }
+  for (auto& axis : parts) {
+    joinNeighbours(axis, rounding);
+    for (FlatPart& part : axis) part.share /= whole;
+  }
+  return parts;
+}
+
+}  // namespace isostar::native
