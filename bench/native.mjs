@@ -35,8 +35,9 @@ export const near = (program, input, isovalue) => run(program, ['near', ...subje
 export const image = (program, file, isovalue) => run(program, ['image', file, '--iso', String(isovalue)]);
 
 /** Encodes as a user would, then measures what was written. */
-export async function tetrahedra(program, command, { volume, isovalue, grid }, stream, options) {
+export async function tetrahedra(program, command, { volume, isovalue, worldBound }, stream, options) {
   const given = ['--iso', String(isovalue)];
-  await run(command, ['encode', volume, stream, ...given, ...(grid ? ['--grid', String(grid)] : []), '--json']);
+  const bound = worldBound ? ['--max-error', String(worldBound), '--units', 'world'] : [];
+  await run(command, ['encode', volume, stream, ...given, ...bound, '--json']);
   return run(program, ['tetrahedra', volume, stream, ...given, ...measuring(options)]);
 }

@@ -20,12 +20,22 @@ export function adaptiveFigures(one) {
   return { name: one.name, bytes, rms, max, sameBound: one.uniform, uniform: uniformAt(one, rms), simplified: simplifiedAt(one, rms) };
 }
 
-/** A stream of tetrahedra; Draco's is a mesh of their own isosurface. */
+/** A stream of tetrahedra, distances in the mesh's unit; Draco's is a mesh of their own isosurface. */
 export function tetrahedraFigures(one) {
-  const rms = Math.max(one.there.rms, one.back.rms);
-  const draco = bytesAt(envelope(one.draco), rms);
-  const grid = one.size.join(' × ');
-  return { ...one, grid, rms, max: Math.max(one.there.max, one.back.max), dracoBytes: draco, simplifiedBytes: simplifiedAt(one, rms) };
+  const inSteps = Math.max(one.there.rms, one.back.rms);
+  const world = ({ rms, max }) => ({ rms: rms * one.step, max: max * one.step });
+  const [there, back] = [world(one.there), world(one.back)];
+  return {
+    name: `${one.name} ${one.isovalue}${one.worldBound ? ` --max-error ${one.worldBound} --units world` : ''}`,
+    grid: one.size.join(' × '),
+    bytes: one.bytes,
+    bound: one.worldBound ?? one.bound * one.step,
+    there,
+    back,
+    rms: inSteps * one.step,
+    dracoBytes: bytesAt(envelope(one.draco), inSteps),
+    simplifiedBytes: simplifiedAt(one, inSteps),
+  };
 }
 
 export const nearShare = ({ bytes, otherBytes, together }) => (together - bytes) / otherBytes;
@@ -64,11 +74,11 @@ function topologyCriterion(one) {
 }
 
 function tetrahedraCriteria(one) {
-  const { bytes, bound, rms, max, grid, dracoBytes } = tetrahedraFigures(one);
-  const what = `${one.name} ${one.isovalue} at ${grid}`;
+  const { name, bytes, bound, rms, there, back, dracoBytes } = tetrahedraFigures(one);
+  const met = Math.max(there.max, back.max) <= bound + ROUNDING * one.step;
   return [
-    { what: `${what}: distance both ways, grid steps`, target: `≤ ${bound}`, measured: `${significant(one.there.max)} there, ${significant(one.back.max)} back`, met: max <= bound + ROUNDING },
-    atMost(`${what}: bytes against Draco at equal RMS`, 1 / 3, dracoBytes && bytes / dracoBytes, `${kilobytes(bytes)} and ${kilobytes(dracoBytes)} kB at ${significant(rms)}`),
+    { what: `${name}: distance both ways`, target: `≤ ${significant(bound)}`, measured: `${significant(there.max)} there, ${significant(back.max)} back`, met },
+    atMost(`${name}: bytes against Draco at equal RMS`, 1 / 3, dracoBytes && bytes / dracoBytes, `${kilobytes(bytes)} and ${kilobytes(dracoBytes)} kB at ${significant(rms)}`),
   ];
 }
 

@@ -37,7 +37,7 @@ const nearTable = (all) =>
 
 const tetrahedraTable = (all) =>
   table(all.map(tetrahedraFigures), [
-    ['tetrahedra', (row) => `${row.name} ${row.isovalue}`],
+    ['tetrahedra', (row) => row.name],
     ['grid', (row) => row.grid],
     ['bytes', (row) => row.bytes],
     ['RMS there', (row) => significant(row.there.rms)],
@@ -55,7 +55,7 @@ const imageTable = ([{ layers }]) =>
     ['RMS', (row) => (row.error < EXACT ? 0 : significant(row.error))],
   ]);
 
-/** Of what has been measured; distances are grid steps. */
+/** Of what has been measured; distances are grid steps, of tetrahedra the mesh's unit. */
 export function paperTables({ bound, adaptive, topology, near, tetrahedra, image }) {
   const tables = [
     adaptive.length && adaptiveTable(bound, adaptive),

@@ -14,16 +14,21 @@ const ADAPTIVE_BOUND = 0.2;  // grid steps
 const ONE_TOPOLOGY = ['tooth-600.5', 'neghip', 'horse'];
 const CLOSE_BY = ['cthead-500.5', 'mri', 'engine-80.5'];
 const FARTHER = 1.02;  // the second isovalue
-const TETRAHEDRA = [{ file: 'bluntfin.vtu', isovalue: 1.2 }, { file: 'fire.vtu', isovalue: 350 }];
-const GRIDS = [undefined, 129];  // the program's choice, and a finer one
+// Bounds of 2 and 1 % of the longest side in the world, where they count from the tetrahedra; undefined: the default one.
+const TETRAHEDRA = [
+  { file: 'bluntfin.vtu', isovalue: 1.2, bounds: [undefined, 0.44, 0.22] },
+  { file: 'fire.vtu', isovalue: 350, bounds: [undefined, 0.12, 0.06] },
+];
 
 /** The isosurfaces of these names, without what the folder lacks. */
 const those = (inputs, names) => names.map((name) => inputs.find((input) => input.name === name)).filter(Boolean);
 
 function tetrahedraInputs({ data, only = '' }) {
-  const found = TETRAHEDRA.map(({ file, isovalue }) => ({ name: file.replace('.vtu', ''), volume: join(data ?? '', file), isovalue }))
-    .filter(({ name, volume }) => data && name.includes(only) && existsSync(volume));
-  return found.flatMap((input) => GRIDS.map((grid) => ({ ...input, grid })));
+  return TETRAHEDRA.flatMap(({ file, isovalue, bounds }) => {
+    const [name, volume] = [file.replace('.vtu', ''), join(data ?? '', file)];
+    if (!data || !name.includes(only) || !existsSync(volume)) return [];
+    return bounds.map((worldBound) => ({ name, volume, isovalue, worldBound }));
+  });
 }
 
 function remarkOnMissing(inputs, { data, only }) {
@@ -37,7 +42,7 @@ function remarkOnMissing(inputs, { data, only }) {
 /** One job for each thing to measure: { criterion, name, work }. */
 function jobs(build, inputs, options, folder) {
   const [program, command] = [join(build, 'isostar_bench'), join(build, 'isostar')];
-  const job = (criterion, input, work) => ({ criterion, name: [input.name, input.grid].filter(Boolean).join(' '), work: async () => ({ ...input, ...(await work()) }) });
+  const job = (criterion, input, work) => ({ criterion, name: [input.name, input.worldBound].filter(Boolean).join(' '), work: async () => ({ ...input, ...(await work()) }) });
   const image = join(folder, 'terrain.png');
   writeFileSync(image, terrain());
   return [
@@ -45,7 +50,7 @@ function jobs(build, inputs, options, folder) {
     ...those(inputs, ONE_TOPOLOGY).map((input) => job('topology', input, () => native.topology(program, input))),
     ...those(inputs, CLOSE_BY).map((input) => job('near', input, () => native.near(program, input, FARTHER * input.isovalue))),
     ...tetrahedraInputs(options).map((input) =>
-      job('tetrahedra', input, () => native.tetrahedra(program, command, input, join(folder, `${input.name}-${input.grid ?? 'chosen'}.isostar`), options))),
+      job('tetrahedra', input, () => native.tetrahedra(program, command, input, join(folder, `${input.name}-${input.worldBound ?? 'default'}.isostar`), options))),
     ...(options.only ? [] : [job('image', { name: 'image' }, () => native.image(program, image, 0.5))]),
   ];
 }

@@ -13,6 +13,7 @@
 #include "files/output_file.h"
 #include "files/text.h"
 #include "model/model_volume.h"
+#include "tetrahedra/bounded_encoding.h"
 #include "volume/placement.h"
 #include "volume/precision.h"
 
@@ -132,6 +133,50 @@ void leaveDomain(LoadedVolume& volume) {
   volume.remarks.push_back("with --near or --preserve-topology the surface goes on beyond the mesh's boundary, to the box around it");
 }
 
+struct Encoded {
+  LoadedVolume volume;
+  std::vector<std::byte> stream;
+};
+
+void warnOfRemarks(const Arguments& arguments, const LoadedVolume& volume) {
+  for (const std::string& remark : volume.remarks) warn(arguments.source.volume.path + ": " + remark);
+}
+
+Encoded encodeSamples(Arguments& arguments, WorkReport& report) {
+  EncodeOptions& options = arguments.options;
+  const Stopwatch reading;
+  LoadedVolume volume = readSource(arguments.source);
+  report.io = reading.milliseconds();
+  if (!endsAtDomain(options)) leaveDomain(volume);
+  warnOfRemarks(arguments, volume);
+  if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);
+  const Stopwatch encoding;
+  std::vector<std::byte> stream = encodeWithBar(volume, options, arguments.source.volume.path);
+  report.codec = encoding.milliseconds();
+  return {std::move(volume), std::move(stream)};
+}
+
+/// In the world a bound can hold for the tetrahedra themselves: the grid is as fine as that takes, unless the user names it.
+bool boundCountsFromTetrahedra(const Arguments& arguments) {
+  return hasTetrahedra(arguments.source) && arguments.units == Units::World && !arguments.source.grid &&
+         !arguments.options.lossless && endsAtDomain(arguments.options);
+}
+
+Encoded encodeTetrahedra(Arguments& arguments, WorkReport& report) {
+  EncodeOptions& options = arguments.options;
+  const Stopwatch reading;
+  const TetrahedralField field = readTetrahedralField(arguments.source);
+  report.io = reading.milliseconds();
+  const Stopwatch encoding;
+  ProgressBar bar("sampling tetrahedra");
+  BoundedStream made = encodeWithin(options.maxError, field, options, arguments.source.volume.path,
+                                    [&bar](double done) { bar.show(done); });
+  report.codec = encoding.milliseconds();
+  warnOfRemarks(arguments, made.volume);
+  options.maxError = std::max(options.maxError, made.distance) / smallestSpacing(made.volume.placement);
+  return {std::move(made.volume), std::move(made.stream)};
+}
+
 void run(Arguments& arguments) {
   requireSense(arguments.source);
   arguments.options.isovalue = isovalueOf(arguments.source);
@@ -141,18 +186,9 @@ void run(Arguments& arguments) {
   requireWritable(arguments.output);
 
   WorkReport report{.work = "encode"};
-  const Stopwatch reading;
-  LoadedVolume volume = readSource(arguments.source);
-  report.io = reading.milliseconds();
-  if (!endsAtDomain(arguments.options)) leaveDomain(volume);
-  for (const std::string& remark : volume.remarks) warn(arguments.source.volume.path + ": " + remark);
-
-  EncodeOptions options = arguments.options;
-  if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);
-  arguments.options = options;
-  const Stopwatch encoding;
-  const std::vector<std::byte> stream = encodeWithBar(volume, options, arguments.source.volume.path);
-  report.codec = encoding.milliseconds();
+  const auto [volume, stream] = boundCountsFromTetrahedra(arguments) ? encodeTetrahedra(arguments, report)
+                                                                     : encodeSamples(arguments, report);
+  const EncodeOptions& options = arguments.options;
 
   const Stopwatch writing;
   writeWhole(stream, arguments.output);
@@ -208,7 +244,9 @@ void addEncode(CLI::App& app) {
       .add_flag("--preserve-topology", options.preserveTopology,
                 "Show no surface on the way that has other components or handles than the last one; volumes only");
   addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
-  addUnits(command, arguments->units, "What lengths count: steps of the grid's smallest spacing, or the world's unit");
+  addUnits(command, arguments->units,
+           "What lengths count: steps of the grid's smallest spacing, or the world's unit; then, without --grid, "
+           "the bound of tetrahedra counts from themselves instead of from samples");
   addSize(command, volume.size, "Samples along each axis of a raw volume, x fastest, little endian");
   addSampleType(command, volume.type, "Sample type of a raw volume");
   addSpacing(command, volume.spacing, "Distance of samples, overruling the file's");

@@ -2,16 +2,12 @@
 
 #include "cli/progress_bar.h"
 #include "files/failure.h"
-#include "files/text.h"
-#include "measure/surface_distance.h"
 #include "mesh_io/mesh_file.h"
 #include "model/model_volume.h"
 #include "tetrahedra/formats.h"
 #include "tetrahedra/grid_over.h"
 #include "tetrahedra/marching_tetrahedra.h"
-#include "tetrahedra/resample.h"
-#include "tetrahedra/tetrahedral_field.h"
-#include "volume/placement.h"
+#include "tetrahedra/tetrahedra_volume.h"
 
 namespace isostar::native {
 namespace {
@@ -27,41 +23,25 @@ LoadedVolume readModel(const SourceRequest& request) {
   return modelVolume(mesh, path, request.grid.value_or(kModelGrid), [&bar](double done) { bar.show(done); });
 }
 
+LoadedVolume readOnGrid(const SourceRequest& request) {
+  const std::string& path = request.volume.path;
+  const double isovalue = isovalueOf(request);
+  const TetrahedralField field = readTetrahedralField(request);
+  ProgressBar bar("sampling tetrahedra");
+  return volumeOf(field, isosurfaceOf(field.mesh(), isovalue), isovalue, gridOver(field, isovalue, request.grid, path),
+                  [&bar](double done) { bar.show(done); })
+      .volume;
+}
+
+}  // namespace
+
 bool hasTetrahedra(const SourceRequest& request) {
   return !request.volume.size && isTetrahedral(request.volume.path);
 }
 
-/// How well the samples show the tetrahedra's isosurface; the encoder's own bound counts from the samples.
-std::string remarkOnSampling(const LoadedVolume& volume, const TetrahedralField& field, double isovalue) {
-  Mesh surface;
-  if (polygonize(volume.view(), isovalue, {.normals = false}, surface) != Error::None) return {};
-  const auto distance = measure::surfaceDistance(surface, isosurfaceOf(field.mesh(), isovalue));
-  if (!distance) return {};
-  const double step = smallestSpacing(volume.placement);
-  return text("sampled at %d x %d x %d points, up to %.2g grid steps from the tetrahedra's isosurface (RMS %.2g)",
-              volume.size[0], volume.size[1], volume.size[2], distance->symmetric().max / step,
-              distance->symmetric().rms / step);
+TetrahedralField readTetrahedralField(const SourceRequest& request) {
+  return TetrahedralField(readTetrahedra(request.volume.path, request.scalar));
 }
-
-LoadedVolume readOnGrid(const SourceRequest& request) {
-  const std::string& path = request.volume.path;
-  const TetrahedralField field(readTetrahedra(path, request.scalar));
-  const SampleGrid grid = gridOver(field, isovalueOf(request), request.grid, path);
-  ProgressBar bar("sampling tetrahedra");
-  LoadedVolume volume;
-  ResampledField sampled = resample(field, grid, [&bar](double done) { bar.show(done); });
-  volume.samples = std::move(sampled.samples);
-  volume.domain = std::move(sampled.domain);
-  volume.size = grid.size;
-  volume.placement.origin = {grid.low.x, grid.low.y, grid.low.z};
-  volume.placement.spacing = {grid.steps.x, grid.steps.y, grid.steps.z};
-  volume.remarks = field.mesh().remarks;
-  if (const std::string remark = remarkOnSampling(volume, field, isovalueOf(request)); !remark.empty())
-    volume.remarks.push_back(remark);
-  return volume;
-}
-
-}  // namespace
 
 void requireSense(const SourceRequest& request) {
   const VolumeRequest& volume = request.volume;

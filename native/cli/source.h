@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "tetrahedra/tetrahedral_field.h"
 #include "volume/read_volume.h"
 
 namespace isostar::native {
@@ -20,6 +21,12 @@ void requireSense(const SourceRequest&);
 
 /// The isovalue asked for; for a closed mesh it need not be, its surface is at 0.
 double isovalueOf(const SourceRequest&);
+
+/// Whether the file is a tetrahedral mesh.
+bool hasTetrahedra(const SourceRequest&);
+
+/// Its function. Fails with one line.
+TetrahedralField readTetrahedralField(const SourceRequest&);
 
 /// The file as samples on a grid, with a progress bar where these must be made first. Fails with one line.
 LoadedVolume readSource(const SourceRequest&);

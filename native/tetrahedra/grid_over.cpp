@@ -16,10 +16,10 @@ using measure::Vector3;
 
 constexpr double kStepsAnEdge = 2;
 constexpr int kFewestSteps = 16, kMostChosenSteps = 512;
-constexpr double kMostSamples = 0x1p31;
-constexpr int kMostTimes = 2;  // as many steps as wanted
-constexpr double kMostUneven = 4;
-constexpr double kPrice = 0.2;  // twice the steps are worth a fifth of the boundary
+constexpr double kMostSamples = 0x1p31;  // of a grid, hence also on an axis
+constexpr int kMostTimes = 2;            // as many steps as wanted
+constexpr double kMostUneven = 4;        // steps of a thin mesh against the others
+constexpr double kPrice = 0.2;           // twice the steps are worth a fifth of the boundary
 
 /// The median length of crossing edges, each counted by its length: where tetrahedra are small, more of them are needed
 /// for the same part of the surface.
@@ -66,43 +66,61 @@ int stepsAlong(const std::vector<FlatPart>& parts, double low, double extent, in
   return chosen;
 }
 
-/// Steps along the longest axis that suit the tetrahedra.
-int stepsFor(const TetrahedralMesh& mesh, double isovalue, double longest) {
-  const double edge = medianEdgeNear(mesh, isovalue);
-  const double wanted = edge > 0 ? kStepsAnEdge * longest / edge : kFewestSteps;
-  return static_cast<int>(std::clamp<double>(std::ceil(wanted), kFewestSteps, kMostChosenSteps));
-}
+struct Box {
+  std::array<double, 3> low, extent;
+  double longest() const { return std::max({extent[0], extent[1], extent[2]}); }
+};
 
-std::array<double, 3> coordinates(const Vector3& p) {
-  return {p.x, p.y, p.z};
-}
-
-}  // namespace
-
-SampleGrid gridOver(const TetrahedralField& field, double isovalue, std::optional<int> samples,
-                    const std::string& path) {
-  std::array<Vector3, 2> box = {field.mesh().points[0], field.mesh().points[0]};
-  for (const Vector3& p : field.mesh().points) {
-    box[0] = {std::min(box[0].x, p.x), std::min(box[0].y, p.y), std::min(box[0].z, p.z)};
-    box[1] = {std::max(box[1].x, p.x), std::max(box[1].y, p.y), std::max(box[1].z, p.z)};
+Box boxAround(const std::vector<Vector3>& points) {
+  Vector3 low = points[0], high = points[0];
+  for (const Vector3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const auto low = coordinates(box[0]), extent = coordinates(box[1] - box[0]);
-  const double longest = *std::max_element(extent.begin(), extent.end());
-  const double step = longest / (samples ? *samples - 1 : stepsFor(field.mesh(), isovalue, longest));
+  const Vector3 extent = high - low;
+  return {{low.x, low.y, low.z}, {extent.x, extent.y, extent.z}};
+}
+
+/// `isFixed` keeps the longest axis at as many steps as there must be.
+SampleGrid fitted(const TetrahedralField& field, const Box& box, double step, bool isFixed, const std::string& path) {
   const auto parts = flatParts(field.boundary().mesh);
   std::array<int, 3> count{};
   std::array<double, 3> length{};
   for (size_t axis = 0; axis < 3; ++axis) {
-    const int wanted = std::max(1, static_cast<int>(std::ceil(extent[axis] / step - 1e-6)));
-    const bool isFixed = samples && extent[axis] == longest;
-    count[axis] = isFixed ? wanted : stepsAlong(parts[axis], low[axis], extent[axis], wanted);
-    length[axis] = std::max(extent[axis] / count[axis], step / kMostUneven);
+    const double extent = box.extent[axis], wanted = std::max(1.0, std::ceil(extent / step - 1e-6));
+    if (wanted > kMostSamples)
+      throw Failure(path, "a grid that fine is too large; at most 2^31 samples can be encoded");
+    const bool isLongest = extent == box.longest();
+    count[axis] = static_cast<int>(wanted);
+    if (!isFixed || !isLongest) count[axis] = stepsAlong(parts[axis], box.low[axis], extent, count[axis]);
+    length[axis] = std::max(extent / count[axis], step / kMostUneven);
   }
-  const SampleGrid grid{box[0], {length[0], length[1], length[2]}, {count[0] + 1, count[1] + 1, count[2] + 1}};
+  const SampleGrid grid{{box.low[0], box.low[1], box.low[2]},
+                        {length[0], length[1], length[2]},
+                        {count[0] + 1, count[1] + 1, count[2] + 1}};
   if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMostSamples)
     throw Failure(path, text("a grid of %d x %d x %d samples is too large; at most 2^31 can be encoded", grid.size[0],
                              grid.size[1], grid.size[2]));
   return grid;
+}
+
+}  // namespace
+
+double suitableStep(const TetrahedralField& field, double isovalue) {
+  const double edge = medianEdgeNear(field.mesh(), isovalue), longest = boxAround(field.mesh().points).longest();
+  const double wanted = edge > 0 ? kStepsAnEdge * longest / edge : kFewestSteps;
+  return longest / std::clamp<double>(std::ceil(wanted), kFewestSteps, kMostChosenSteps);
+}
+
+SampleGrid gridOfSteps(const TetrahedralField& field, double step, const std::string& path) {
+  return fitted(field, boxAround(field.mesh().points), step, false, path);
+}
+
+SampleGrid gridOver(const TetrahedralField& field, double isovalue, std::optional<int> samples,
+                    const std::string& path) {
+  if (!samples) return gridOfSteps(field, suitableStep(field, isovalue), path);
+  const Box box = boxAround(field.mesh().points);
+  return fitted(field, box, box.longest() / (*samples - 1), true, path);
 }
 
 }  // namespace isostar::native

@@ -15,4 +15,10 @@ namespace isostar::native {
 /// hold it.
 SampleGrid gridOver(const TetrahedralField&, double isovalue, std::optional<int> samples, const std::string& path);
 
+/// The same without a number, of steps no longer than this one.
+SampleGrid gridOfSteps(const TetrahedralField&, double step, const std::string& path);
+
+/// Half the typical edge that the isosurface crosses, within what gridOver() chooses of its own.
+double suitableStep(const TetrahedralField&, double isovalue);
+
 }  // namespace isostar::native

@@ -231,6 +231,17 @@ TEST_F(CommandLine, encodesTetrahedra) {
   }
 }
 
+TEST_F(CommandLine, inTheWorldTheBoundCountsFromTheTetrahedra) {
+  write("mesh.vtk", tetrahedronInText());
+  const Outcome encoded = run({"encode", "mesh.vtk", "mesh.isostar", "--iso", "0.5", "--max-error", "0.01", "--units", "world"});
+  if (encoded.words.find("reads no VTK files") != std::string::npos) GTEST_SKIP() << encoded.words;
+  ASSERT_EQ(encoded.status, 0) << encoded.words;
+  EXPECT_NE(encoded.words.find("error at most 0.01 world units"), std::string::npos) << encoded.words;
+  const auto report = nlohmann::json::parse(
+      run({"compare", "mesh.isostar", "mesh.vtk", "--iso", "0.5", "--units", "world", "--json"}).results);
+  EXPECT_LE(report["symmetric"]["max"].get<double>(), 0.01);
+}
+
 TEST_F(CommandLine, refusesTetrahedraThatItCannotUse) {
   write("mesh.vtk", tetrahedronInText());
   expectFault(2, {"encode", "mesh.vtk", "a.isostar"});

@@ -6,6 +6,7 @@
 #include "files/failure.h"
 #include "measure/surface_distance.h"
 #include "measure/topology.h"
+#include "tetrahedra/bounded_encoding.h"
 #include "tetrahedra/flat_boundary.h"
 #include "tetrahedra/grid_over.h"
 #include "tetrahedra/marching_tetrahedra.h"
@@ -299,6 +300,36 @@ TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
   const auto distance = distanceToTetrahedra(surface, field, isosurfaceOf(field.mesh(), 0));
   EXPECT_LT(distance->symmetric().max, 0.5 * grid.smallestStep());
   EXPECT_LT(distance->symmetric().rms, 0.1 * grid.smallestStep());
+}
+
+TEST(EncodeWithin, holdsTheBoundAgainstTheTetrahedra) {
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, ball));
+  const Mesh isosurface = isosurfaceOf(field.mesh(), 0);
+  size_t before = 0, samplesBefore = 0;
+  for (const double bound : {0.3, 0.06, 0.03}) {
+    const BoundedStream made = encodeWithin(bound, field, {}, "mesh", [](double) {});
+    Decoder decoder;
+    decoder.feed(made.stream);
+    while (decoder.advance()) {
+    }
+    Mesh surface;
+    ASSERT_EQ(decoder.mesh({}, surface), Error::None);
+    const auto distance = measure::surfaceDistance(surface, isosurface);
+    EXPECT_LE(distance->symmetric().max, bound);
+    EXPECT_NEAR(distance->symmetric().max, made.distance, 1e-6);
+    EXPECT_GT(made.stream.size(), before);
+    EXPECT_GE(made.volume.samples.size(), samplesBefore);
+    before = made.stream.size();
+    samplesBefore = made.volume.samples.size();
+  }
+}
+
+TEST(EncodeWithin, anEmptySurfaceKeepsAnyBound) {
+  EncodeOptions options;
+  options.isovalue = 99;
+  const BoundedStream made = encodeWithin(1e-9, fieldOf(cubesOfTetrahedra(4, ball)), options, "mesh", [](double) {});
+  EXPECT_EQ(made.distance, 0);
+  EXPECT_FALSE(made.stream.empty());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ const adaptive = {
 const topology = { name: 'knot', bytes: 110, uniform: 100, layers: layers([2, 1], [2, 1]) };
 const near = { name: 'head', other: 51, bytes: 1000, otherBytes: 900, together: 1090 };
 const tetrahedra = {
-  name: 'fin', isovalue: 1, size: [9, 5, 5], bound: 0.05, bytes: 100,
+  name: 'fin', isovalue: 1, size: [9, 5, 5], step: 2, bound: 0.05, bytes: 100,
   there: { rms: 0.02, max: 0.04 }, back: { rms: 0.03, max: 0.06 },
   draco: points([200, 0.1], [400, 0.03]), simplified: points([90, 0.02]),
 };
@@ -37,6 +37,13 @@ test('each criterion says whether it is met', () => {
   assert.equal(verdicts({ ...all, adaptive: [{ ...adaptive, adaptive: { bytes: 401, rms: 0.1, max: 0.3 } }] })[0], false);
   assert.equal(verdicts({ ...all, adaptive: [{ ...adaptive, adaptive: { bytes: 401, rms: 0.1, max: 0.1 } }] })[1], false);
   assert.equal(verdicts({ ...all, image: [{ ...image, lossless: false }] }).at(-1), false);
+});
+
+test('a bound in the world counts from tetrahedra', () => {
+  const own = (worldBound) => paperCriteria({ ...all, tetrahedra: [{ ...tetrahedra, worldBound }] }).find(({ what }) => what.includes('distance both ways') && what.startsWith('fin'));
+  assert.equal(own(undefined).target, '≤ 0.10');
+  assert.equal(own(0.12).met, true);
+  assert.equal(own(0.11).met, false);
 });
 
 test('topology counts on every layer, and only of manifolds', () => {
