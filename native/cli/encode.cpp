@@ -144,6 +144,7 @@ void warnOfRemarks(const Arguments& arguments, const LoadedVolume& volume) {
 
 Encoded encodeSamples(Arguments& arguments, WorkReport& report) {
   EncodeOptions& options = arguments.options;
+  if (!endsAtDomain(options)) arguments.source.scalars = Scalars::Field;
   const Stopwatch reading;
   LoadedVolume volume = readSource(arguments.source);
   report.io = reading.milliseconds();

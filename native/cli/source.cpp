@@ -28,8 +28,8 @@ LoadedVolume readOnGrid(const SourceRequest& request) {
   const double isovalue = isovalueOf(request);
   const TetrahedralField field = readTetrahedralField(request);
   ProgressBar bar("sampling tetrahedra");
-  return volumeOf(field, isosurfaceOf(field.mesh(), isovalue), isovalue, gridOver(field, isovalue, request.grid, path),
-                  [&bar](double done) { bar.show(done); })
+  return volumeOf(field, isosurfaceOf(field.mesh(), isovalue), isovalue, request.scalars,
+                  gridOver(field, isovalue, request.grid, path), [&bar](double done) { bar.show(done); })
       .volume;
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "tetrahedra/tetrahedral_field.h"
+#include "tetrahedra/tetrahedra_volume.h"
 #include "volume/read_volume.h"
 
 namespace isostar::native {
@@ -14,6 +14,7 @@ struct SourceRequest {
   std::optional<int> grid{};            // samples along the longest axis; for meshes, which have no grid of their own
   std::optional<std::string> scalar{};  // which one of a tetrahedral mesh
   std::optional<double> isovalue{};
+  Scalars scalars = Scalars::Distances;  // of tetrahedra
 };
 
 /// Refuses what does not go together: a raw volume's size without its type, --grid for what has a grid, no --iso.

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostSamples = 0x1p24;
 constexpr double kLeastFiner = 1.26, kMostFiner = 2;  // steps from grid to grid: two to eight times the samples
 constexpr double kSamplingPart = 0.9;                 // of the bound that samples may take
-constexpr double kTries[] = {0.4, 0.3, 0.2, 0.14, 0.1, 0.05};    // grid steps that the codec may take
+constexpr double kTries[] = {0.4, 0.3, 0.2, 0.14, 0.1, 0.05};  // grid steps that the codec may take
 
 void require(Error error, const std::string& path) {
   if (error != Error::None) throw Failure(path, describe(error));
@@ -61,7 +61,7 @@ BoundedStream encodeWithin(double bound, const TetrahedralField& field, EncodeOp
   BoundedStream nearest;
   for (double step = suitableStep(field, options.isovalue); nearest.stream.empty() || nearest.distance > bound;) {
     const SampleGrid grid = gridOfSteps(field, step, path);
-    TetrahedraVolume sampled = volumeOf(field, isosurface, options.isovalue, grid, progress);
+    TetrahedraVolume sampled = volumeOf(field, isosurface, options.isovalue, Scalars::Distances, grid, progress);
     const double excess = sampled.distance ? sampled.distance->symmetric().max / (kSamplingPart * bound) : 0;
     const double finer = std::clamp(std::sqrt(excess), kLeastFiner, kMostFiner);
     const bool isLast = static_cast<double>(grid.count()) * finer * finer * finer > kMostSamples;

@@ -1,6 +1,7 @@
 #include "tetrahedra/tetrahedra_volume.h"
 
 #include "files/text.h"
+#include "tetrahedra/as_distances.h"
 #include "tetrahedra/resample.h"
 
 namespace isostar::native {
@@ -18,12 +19,13 @@ void remarkOnSampling(TetrahedraVolume& result, double step) {
 
 }  // namespace
 
-TetrahedraVolume volumeOf(const TetrahedralField& field, const Mesh& isosurface, double isovalue,
+TetrahedraVolume volumeOf(const TetrahedralField& field, const Mesh& isosurface, double isovalue, Scalars scalars,
                           const SampleGrid& grid, const std::function<void(double)>& progress) {
   TetrahedraVolume result;
   ResampledField sampled = resample(field, grid, progress);
   LoadedVolume& volume = result.volume;
   volume.samples = std::move(sampled.samples);
+  if (scalars == Scalars::Distances) becomeDistances(isosurface, isovalue, grid, volume.samples);
   volume.domain = std::move(sampled.domain);
   volume.size = grid.size;
   volume.placement.origin = {grid.low.x, grid.low.y, grid.low.z};

@@ -17,8 +17,12 @@ struct TetrahedraVolume {
   std::optional<measure::SurfaceDistance> distance;
 };
 
+/// What samples tell: the field, at all isovalues, or one isosurface alone, better and in fewer bytes (see
+/// becomeDistances).
+enum class Scalars : uint8_t { Field, Distances };
+
 /// `isosurface` is isosurfaceOf() the mesh.
-TetrahedraVolume volumeOf(const TetrahedralField&, const Mesh& isosurface, double isovalue, const SampleGrid&,
+TetrahedraVolume volumeOf(const TetrahedralField&, const Mesh& isosurface, double isovalue, Scalars, const SampleGrid&,
                           const std::function<void(double)>& progress);
 
 }  // namespace isostar::native

@@ -12,7 +12,9 @@
 #include "tetrahedra/marching_tetrahedra.h"
 #include "tetrahedra/mend.h"
 #include "tetrahedra/resample.h"
+#include "tetrahedra/rimmed_surface.h"
 #include "tetrahedra/tetrahedra_distance.h"
+#include "tetrahedra/tetrahedra_volume.h"
 #include "tetrahedra/trimmed.h"
 #include "tetrahedral_shapes.h"
 
@@ -300,6 +302,40 @@ TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
   const auto distance = distanceToTetrahedra(surface, field, isosurfaceOf(field.mesh(), 0));
   EXPECT_LT(distance->symmetric().max, 0.5 * grid.smallestStep());
   EXPECT_LT(distance->symmetric().rms, 0.1 * grid.smallestStep());
+}
+
+TEST(RimmedSurface, goesOnInItsPlanes) {
+  Mesh square;
+  square.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  square.triangles = {0, 1, 2, 0, 2, 3};
+  const RimmedSurface surface(square);
+  uint32_t near = 0;
+  for (const Vector3& above : {Vector3{0.5, 0.25, 0.3}, {0.5, 0.5, -0.3}, {0.2, 0.7, 0.3}}) {
+    const auto distance = surface.distance(above, near);
+    EXPECT_NEAR(distance.toItself, 0.3, 1e-6);
+    EXPECT_NEAR(distance.continued, 0.3, 1e-6);
+  }
+  for (const Vector3& beside : {Vector3{2, 0.5, 0.3}, {0.5, -1, 0.3}, {-1, 1, -0.3}}) {
+    const auto distance = surface.distance(beside, near);
+    EXPECT_NEAR(distance.toItself, std::sqrt(1.09), 1e-6);
+    EXPECT_NEAR(distance.continued, 0.3, 1e-6);
+  }
+}
+
+TEST(BecomeDistances, keepsSignsAndBringsTheSurfaceNearer) {
+  const auto steep = [](const Vector3& p) { return std::exp(2 * p.z - 0.6 * p.x + 0.3 * p.y); };
+  const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, steep));
+  for (const double isovalue : {900.0, 0.4}) {
+    const Mesh isosurface = isosurfaceOf(field.mesh(), isovalue);
+    const SampleGrid grid = gridOver(field, isovalue, 20, "mesh");
+    const auto sampled = [&](Scalars scalars) {
+      return volumeOf(field, isosurface, isovalue, scalars, grid, [](double) {});
+    };
+    const TetrahedraVolume before = sampled(Scalars::Field), after = sampled(Scalars::Distances);
+    for (size_t i = 0; i < before.volume.samples.size(); ++i)
+      ASSERT_EQ(after.volume.samples[i] > isovalue, before.volume.samples[i] > isovalue);
+    EXPECT_LT(after.distance->symmetric().rms, 0.8 * before.distance->symmetric().rms);
+  }
 }
 
 TEST(EncodeWithin, holdsTheBoundAgainstTheTetrahedra) {
