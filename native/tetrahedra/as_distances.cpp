@@ -12,9 +12,10 @@ namespace {
 constexpr double kBand = 8;      // smallest steps: more than a cell's diagonal on any grid of gridOver()
 constexpr double kLeast = 1e-4;  // smallest steps: a positive sample stays positive
 
-/// What a step counts, so that single-precision numbers beside the isovalue tell small parts of one.
+/// What a step counts, so that single-precision numbers beside the isovalue tell small parts of one, and none is too large or
+/// too small for them.
 double unitBeside(double isovalue) {
-  return isovalue == 0 ? 1 : std::exp2(std::ceil(std::log2(std::abs(isovalue))));
+  return isovalue == 0 ? 1 : std::exp2(std::clamp(std::ceil(std::log2(std::abs(isovalue))), -100.0, 120.0));
 }
 
 }  // namespace
