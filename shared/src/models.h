@@ -106,12 +106,25 @@ class Mixer {
     std::fill_n(w.begin(), N, kOne * 10 / (N * 8));
     return w;
   }
+  /// Where there is an estimate, too: it is trusted while contexts have learned nothing.
+  [[nodiscard]] static Weights freshWithEstimate() {
+    static_assert(N < 4);
+    Weights w{};
+    std::fill_n(w.begin(), N, kOne / N);
+    w[N] = kOne / 2;
+    return w;
+  }
 
-  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits.
+  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits. Beside
+  /// fewer than four contexts there may be an estimate that does not learn, in log-odds; it has the next weight.
   template <int Limit, int Rate, class Coder>
-  static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights) {
+  static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights, int32_t estimate = 0) {
     std::array<int32_t, 4> logOdds{}, states{};
     int32_t sum = 0;
+    if constexpr (N < 4) {
+      logOdds[N] = std::clamp(estimate, -Logistic::kBound, Logistic::kBound);
+      sum = weights[N] * logOdds[N];
+    }
     for (int i = 0; i < N; ++i) {
       states[i] = static_cast<int32_t>(contexts[i]->state_);
       logOdds[i] = Logistic::stretch(contexts[i]->state_ >> 16);

@@ -43,11 +43,10 @@ struct RowPacks {
     return static_cast<unsigned>(positive);
   }
 
-  /// For the nine (3^2) signs of each plane of the 3^D around: the diamond's signs in a row of bits, how many of its
-  /// corners (from bit 16) and of those across (from bit 24) are positive.
+  /// For the nine (3^2) signs of each plane of the 3^D around: what they add to Neighbourhood::Seen.
   using Slices = std::array<std::array<uint32_t, 512>, power(3, D - 2)>;
 
-  /// The diamond of bit `at` of the row in the middle.
+  /// The slices' sum, seen from bit `at` of the row in the middle.
   [[nodiscard]] uint32_t diamond(const Slices& slices, int at) const {
     uint32_t seen = 0;
     for (std::size_t s = 0; s < slices.size(); ++s) {
@@ -101,10 +100,30 @@ struct Neighbourhood {
   std::array<Step, kMost> diamond{};   // the corners, then those across
   std::array<Step, kMost> siblings{};  // of the same class, earlier in the order of rows; nearest first
   int cornerCount = 0, acrossCount = 0, siblingCount = 0;
-  RowPacks<D> siblingMask;  // the nearest kSiblings siblings
-  RowPacks<D> farMask;      // the nearest kFar vertices of earlier classes outside the diamond
+  RowPacks<D> siblingMask;  // those of the siblings that are not outer ones
+  RowPacks<D> farMask;      // the nearest kFar vertices of earlier classes outside the diamond that are not outer ones
+  RowPacks<D> outerMask;    // the nearest kOuter that are told before and two steps away on two axes or more
   typename RowPacks<D>::Slices slices{};
-  static constexpr int kSiblings = 13, kFar = 24;
+  int weight = 0;  // of all vertices that have one
+  static constexpr int kSiblings = 15, kFar = 40, kOuter = 34;  // all there are in space
+
+  /// What a neighbour's sign says of the vertex's own, in 1/kOne of log-odds, rounded from logistic regressions over volumes of
+  /// all kinds: of a corner, of one across on a single axis or on several, of a sibling one step away, of a far one, and of an
+  /// outer one, which tells a bend from a slope.
+  static constexpr int kOne = 32, kCorner = 32, kBeside = 44, kAcross = 8, kSibling = 8, kFarOne = 1, kOuterOne = -4;
+
+  /// What is summed up in slices: signs of the diamond, as many as the largest one in space has; how many of its corners and
+  /// of those across are positive; what those within one step that are positive weigh.
+  struct Seen {
+    unsigned diamond, corners, across;
+    int weight;
+  };
+  static constexpr int kDiamondBits = 10, kCountBits = 5;
+  static constexpr Seen unpacked(uint32_t sum) {
+    constexpr uint32_t kDiamonds = (1u << kDiamondBits) - 1, kCounts = (1u << kCountBits) - 1;
+    return {sum & kDiamonds, sum >> kDiamondBits & kCounts, sum >> (kDiamondBits + kCountBits) & kCounts,
+            static_cast<int>(sum >> (kDiamondBits + 2 * kCountBits))};
+  }
 
   [[nodiscard]] constexpr int diamondCount() const { return cornerCount + acrossCount; }
 
@@ -116,34 +135,42 @@ struct Neighbourhood {
   }
 
  private:
-  int farCount = 0;
+  int farCount = 0, outerCount = 0;
   std::array<std::array<int, D>, kMost> offsets{};  // of the diamond
 
-  /// Bits beyond sixteen (in 4D) share the last one: contexts are hashes there.
   constexpr void slice() {
     for (int i = 0; i < diamondCount(); ++i) {
-      const auto [plane, bit] = RowPacks<D>::sliceOf(offsets[i]);
-      const uint32_t seen = (i < 16 ? 1u << i : 0u) + (i < cornerCount ? 1u << 16 : 1u << 24);
-      for (uint32_t signs = 0; signs < 512; ++signs) {
-        if ((signs >> bit & 1) != 0) slices[plane][signs] += seen;
-      }
+      int axes = 0;
+      for (const int d : offsets[i]) axes += d != 0 ? 1 : 0;
+      const bool corner = i < cornerCount;
+      const uint32_t sign = i < kDiamondBits ? 1u << i : 0u, count = 1u << (corner ? kDiamondBits : kDiamondBits + kCountBits);
+      addToSlices(offsets[i], sign | count, corner ? kCorner : axes == 1 ? kBeside : kAcross);
     }
   }
 
+  constexpr void addToSlices(const std::array<int, D>& d, uint32_t fields, int itsWeight) {
+    const auto [plane, bit] = RowPacks<D>::sliceOf(d);
+    fields += static_cast<uint32_t>(itsWeight) << (kDiamondBits + 2 * kCountBits);
+    for (uint32_t signs = 0; signs < 512; ++signs) {
+      if ((signs >> bit & 1) != 0) slices[plane][signs] += fields;
+    }
+    weight += itsWeight;
+  }
+
   constexpr void collect(unsigned fresh, bool corners) {
-    for (int distance = 1; distance <= 2 * D + 2; ++distance) {
+    for (int distance = 1; distance <= 4 * D; ++distance) {
       std::array<int, D> d{};
       d.fill(-2);
       for (std::size_t n = power(5, D); n > 0; --n) {
         int squares = 0;
         for (int a = 0; a < D; ++a) squares += d[a] * d[a];
-        if (squares == distance) place(fresh, d, corners);
+        if (squares == distance) place(fresh, d, corners, distance >= 8);
         for (int a = 0; a < D && ++d[a] == 3; ++a) d[a] = -2;
       }
     }
   }
 
-  constexpr void place(unsigned fresh, const std::array<int, D>& d, bool corners) {
+  constexpr void place(unsigned fresh, const std::array<int, D>& d, bool corners, bool outer) {
     Step step;
     for (int a = 1; a < D; ++a) step.rows = static_cast<int16_t>(step.rows + d[a] * Window<D>::rowStride(a));
     step.bits = static_cast<int8_t>(d[0]);
@@ -163,11 +190,22 @@ struct Neighbourhood {
       offsets[cornerCount + acrossCount] = d;
       diamond[cornerCount + acrossCount] = step;
       ++(corner ? cornerCount : acrossCount);
-    } else if (corners && other == mine && earlier && siblingCount < kSiblings) {
-      siblings[siblingCount++] = step;
+      return;
+    }
+    const bool sibling = other == mine && earlier;
+    if (!corners || !(sibling || other == 0 || other > mine)) return;
+    const bool listed = sibling && siblingCount < kSiblings;
+    if (listed) siblings[siblingCount++] = step;
+    if (listed && near) addToSlices(d, 0, kSibling);
+    if (outer) {
+      if (outerCount++ >= kOuter) return;
+      outerMask.add(d);
+      weight += kOuterOne;
+    } else if (listed) {
       siblingMask.add(d);
-    } else if (corners && (other == 0 || other > mine) && farCount < kFar) {
+    } else if (!sibling && farCount < kFar) {
       farMask.add(d);
+      weight += kFarOne;
       ++farCount;
     }
   }

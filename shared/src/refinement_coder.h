@@ -19,14 +19,16 @@ class RefinementCoder {
     uint32_t near = 0, counted = 0;
     for (unsigned set = 1; set < kSets; ++set) {
       const auto& n = neighbourhoods_[set];
-      tables_[set] = {near, counted};
-      near += 1u << std::min(n.diamondCount() + 4, kMostNearBits);
-      counted += static_cast<uint32_t>((n.cornerCount + 1) * (n.acrossCount + 1)) << kSiblingBits;
+      const unsigned first = (1u << std::popcount(set)) - 1;  // of those with as many axes, which share all but near_
+      const int diamondBits = std::min(n.diamondCount(), Nearby::kDiamondBits), siblings = std::min(kSiblings, kMostNearBits - diamondBits);
+      tables_[set] = {near, set == first ? counted : tables_[first].counted, siblings};
+      near += 1u << (diamondBits + siblings);
+      if (set == first) counted += static_cast<uint32_t>((n.cornerCount + 1) * (n.acrossCount + 1));
     }
     near_.resize(near);
-    counts_.resize(counted);
-    wide_.resize(counted);
-    weights_.fill(Mixer<kInputs>::fresh());
+    counts_.resize(counted << kSiblings);
+    wide_.resize(counted << kWideBits);
+    weights_.resize(counted, Mixer<kInputs>::freshWithEstimate());
   }
 
   /// All bisections of an octave, slab of bricks by slab: each bisection follows the one before a slab behind, where all
@@ -94,11 +96,12 @@ class RefinementCoder {
 
  private:
   static constexpr int kInputs = 3;
-  static constexpr int kMostNearBits = 14, kSiblingBits = 7;
+  static constexpr int kMostNearBits = 14, kSiblings = 7, kWideBits = 8;
   static constexpr unsigned kSets = 1u << D;
   static constexpr std::size_t kGroup = 64;  // quiet bricks in a row that share a flag
   static constexpr std::size_t kBrickRows = power(kBrickSide, D - 1);
   using Bits = uint32_t;
+  using Nearby = Neighbourhood<D>;
 
   /// One bisection of a slab: tells the vertices fresh on `dimension` axes.
   template <class Exchange>
@@ -180,7 +183,7 @@ class RefinementCoder {
       for (Bits open = row.open; open != 0; open &= open - 1) {
         const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
         const auto packs = RowPacks<D>::around(&absent);
-        const unsigned siblings = packs.count(n.siblingMask, at), far = packs.count(n.farMask, at);
+        const unsigned siblings = packs.count(n.siblingMask, at), far = packs.count(n.outerMask, at);
         Chance& chance = whole_[std::min(siblings, 7u) * 4 + (far == 0 ? 0 : far < 4 ? 1 : far < 12 ? 2 : 3)];
         if (!chance.bit(ask.coder(), (truth >> x & 1) != 0)) continue;
         absent = static_cast<uint16_t>(absent | 1u << at);
@@ -326,16 +329,18 @@ class RefinementCoder {
       for (int i = 0; i < count; ++i) bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
       return bits;
     };
-    const auto seen = packs_.diamond(n.slices, at);
-    const unsigned diamond = seen & 0xFFFF, corners = seen >> 16 & 0xFF, across = seen >> 24;
-    const unsigned first7 = gather(n.siblings.data(), 7), first4 = first7 >> 3;
-    const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at);
-    const auto set = static_cast<unsigned>(row.fresh);
-    const Table& table = tables_[set];
-    const unsigned counted = table.counted + ((corners * static_cast<unsigned>(n.acrossCount + 1) + across) << kSiblingBits);
-    const std::array<Chance*, kInputs> contexts{&near_[table.near + ((diamond << 4 | first4) & ((1u << kMostNearBits) - 1))],
-                                                &counts_[counted + first7], &wide_[counted + (siblings / 2 << 4 | far / 2)]};
-    return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[set * 16 + std::min(corners, 15u)]);
+    const auto [diamond, corners, across, nearWeight] = Nearby::unpacked(packs_.diamond(n.slices, at));
+    const unsigned first = gather(n.siblings.data(), kSiblings);
+    const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at), outer = packs_.count(n.outerMask, at);
+    const int weight = nearWeight + static_cast<int>(far) * Nearby::kFarOne + static_cast<int>(outer) * Nearby::kOuterOne;
+    const Table& table = tables_[row.fresh];
+    const unsigned counted = table.counted + corners * static_cast<unsigned>(n.acrossCount + 1) + across;
+    const std::array<Chance*, kInputs> contexts{&near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
+                                                &counts_[counted << kSiblings | first],
+                                                &wide_[counted << kWideBits | siblings / 2 << 5 | far / 2]};
+    // Positive weights less negative ones, in 1/256 of log-odds.
+    const int estimate = (2 * weight - n.weight) * (256 / Nearby::kOne);
+    return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[counted], estimate);
   }
 
   /// How busy a brick is, as a context for its exceptions.
@@ -356,16 +361,28 @@ class RefinementCoder {
 
   template <class Exchange>
   void tellExceptions(Exchange& ask, std::size_t place, int activity) {
+    int lately = 0;  // 0 before the first row that has some, 1 right after one, 2 later
     for (int i = 0; i < rowCount_; ++i) {
       const Row& row = rows_[i];
-      Bits deduced = row.members & ~Bits{row.open} & ~Bits{row.absent};
+      const Bits deduced = row.members & ~Bits{row.open} & ~Bits{row.absent};
+      if (deduced == 0) continue;
       const Bits flips = exceptions(ask, place, row);
-      if (deduced == 0 || !rowFlag_[activity].bit(ask.coder(), flips != 0)) continue;
-      const Bits signs = static_cast<Bits>(window_.rows[row.window]) >> Window<D>::kHalo;
-      for (; deduced != 0; deduced &= deduced - 1) {
-        const int x = std::countr_zero(deduced);
-        if (vertexFlag_.bit(ask.coder(), (flips >> x & 1) != 0)) put(row, x, (signs >> x & 1) == 0);
-      }
+      const bool any = rowFlag_[activity][lately].bit(ask.coder(), flips != 0);
+      if (any) tellExceptions(ask, row, deduced, flips);
+      lately = any ? 1 : std::min(2 * lately, 2);
+    }
+  }
+
+  /// Those of a row that has some: if all but the last one are none, it is one.
+  template <class Exchange>
+  void tellExceptions(Exchange& ask, const Row& row, Bits deduced, Bits flips) {
+    const Bits signs = static_cast<Bits>(window_.rows[row.window]) >> Window<D>::kHalo;
+    for (bool any = false; deduced != 0; deduced &= deduced - 1) {
+      const int x = std::countr_zero(deduced);
+      const bool sure = !any && (deduced & (deduced - 1)) == 0;
+      if (!sure && !vertexFlag_[any ? 1 : 0].bit(ask.coder(), (flips >> x & 1) != 0)) continue;
+      put(row, x, (signs >> x & 1) == 0);
+      any = true;
     }
   }
 
@@ -392,14 +409,15 @@ class RefinementCoder {
   /// Where the contexts of a set of fresh axes begin in the tables.
   struct Table {
     uint32_t near = 0, counted = 0;
+    int siblings = 0;  // in the contexts that are near
   };
   std::array<Table, kSets> tables_{};
   std::vector<Chance> near_, counts_, wide_;
-  std::array<typename Mixer<kInputs>::Weights, kSets * 16> weights_;
+  std::vector<typename Mixer<kInputs>::Weights> weights_;
   std::array<std::array<Chance, 5>, D + 1> brickFlag_;
-  std::array<Chance, 5> rowFlag_;
+  std::array<std::array<Chance, 3>, 5> rowFlag_;
   std::array<Chance, D + 1> groupFlag_, quietFlag_;
-  Chance vertexFlag_;
+  std::array<Chance, 2> vertexFlag_;  // by whether the row had one before
   std::array<Chance, 32> whole_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace isostar {
@@ -123,6 +124,32 @@ TEST(Mixer, agreesWithTheBestOfEqualContexts) {
   Meter meter;
   for (int i = 0; i < 4000; ++i) mix(meter, true, {&same[0], &same[1], &same[2]}, weights);
   EXPECT_LT(meter.bits(), 20);
+}
+
+TEST(Mixer, believesAnEstimateAtOnceAndMoreWhenItIsRight) {
+  Chance a, b, c;
+  auto weights = Mixer<3>::freshWithEstimate();
+  Listener listener;
+  const std::array<Chance*, 3> contexts{&a, &b, &c};
+  Mixer<3>::bit<255, 12>(listener, true, contexts, weights, 512);
+  EXPECT_NEAR(listener.chance, kChanceOne / (1 + std::exp(-1.0)), kChanceOne / 200.0) << "half of the estimate's log-odds";
+  std::mt19937_64 random(3);
+  Meter meter;
+  constexpr int kDecisions = 4000;
+  for (int i = 0; i < kDecisions; ++i) {
+    const bool truth = (random() & 1) != 0;
+    Mixer<3>::bit<255, 12>(meter, truth, contexts, weights, truth ? 700 : -700);
+  }
+  EXPECT_LT(meter.bits() / kDecisions, 0.02);
+}
+
+TEST(Mixer, boundsAnEstimate) {
+  Chance a, b, c;
+  auto weights = Mixer<3>::freshWithEstimate();
+  Listener listener;
+  Mixer<3>::bit<255, 12>(listener, true, {&a, &b, &c}, weights, 1 << 30);
+  EXPECT_LE(listener.chance, kChanceOne - kLeastChance);
+  EXPECT_GT(listener.chance, kChanceOne * 9 / 10);
 }
 
 }  // namespace

@@ -103,6 +103,30 @@ TYPED_TEST(NeighbourhoodTest, listsDoNotOverlapAndStayInTheWindow) {
   }
 }
 
+TYPED_TEST(NeighbourhoodTest, slicesAndMasksSeeNothingAndAll) {
+  constexpr int D = TypeParam::value;
+  using N = Neighbourhood<D>;
+  RowPacks<D> none, all;
+  for (auto& word : all.words) word = (uint64_t{1} << 5 * Window<D>::kSide) - 1;
+  constexpr int kAt = Window<D>::kHalo;
+  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
+    const N n(fresh);
+    auto weight = [&](const RowPacks<D>& packs) {
+      return N::unpacked(packs.diamond(n.slices, kAt)).weight + static_cast<int>(packs.count(n.farMask, kAt)) * N::kFarOne +
+             static_cast<int>(packs.count(n.outerMask, kAt)) * N::kOuterOne;
+    };
+    EXPECT_EQ(weight(none), 0);
+    EXPECT_EQ(weight(all), n.weight);
+    const auto seen = N::unpacked(all.diamond(n.slices, kAt));
+    EXPECT_EQ(static_cast<int>(seen.corners), n.cornerCount);
+    EXPECT_EQ(static_cast<int>(seen.across), n.acrossCount);
+    EXPECT_EQ(seen.diamond, (1u << std::min(n.diamondCount(), N::kDiamondBits)) - 1);
+    EXPECT_LE(static_cast<int>(all.count(n.siblingMask, kAt)), N::kSiblings);
+    EXPECT_LE(static_cast<int>(all.count(n.farMask, kAt)), N::kFar);
+    EXPECT_LE(static_cast<int>(all.count(n.outerMask, kAt)), N::kOuter);
+  }
+}
+
 TYPED_TEST(NeighbourhoodTest, diamondIsWhatTheSplitEdgeSees) {
   constexpr int D = TypeParam::value;
   // All simplices with the cell's diagonal have the cell's corners, and no more.
