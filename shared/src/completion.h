@@ -1,21 +1,26 @@
 // Scalars where none have been told (yet): estimated from the signs and from known neighbours, for display only.
 #pragma once
 
+#include "displacement_window.h"
+#include "hints.h"
 #include "octave.h"
 #include "prediction.h"
 #include "tube.h"
+#include "isostar/isostar.h"
 
 namespace isostar {
 
 /// Gives every vertex of a class in the active bricks a value; known ones stay. Values count 2^-finer half quanta: where a
 /// quantum is a large part of a step, estimates need more.
 template <int D>
-void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars) {
+void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars,
+                     const Hints<D>& hints = {}) {
   constexpr int kPlainGradient = 4 * 12;  // where nothing has been told: any will do, only ratios show
   const Scalars<D> known = scalars;
   Tube<D> tube;
   ScalarWindow<D> window;
-  ShapeEstimate<D> shapes;
+  ShapeEstimate<D> shapes(hints.kernel);
+  DisplacementWindow<D> displaced;
   int gradient = kPlainGradient;
   for (std::size_t place = 0; place < active.size(); ++place) {
     if (active[place] == 0) continue;
@@ -26,14 +31,31 @@ void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, 
     shapes.load(tube.window());
     auto& brick = scalars.writable(place);
     const Steps steps(gradient + 4 * finer);
+    if (hints.displaced()) {
+      displaced.load(*hints.displacements, tube.table(), tube.at());
+      displaced.spread();
+    }
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
-      const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, steps);
+      const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, steps, displaced.at(r, x));
       const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(guess.magnitude, steps.eighth()), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });
   }
 }
+
+/// All scalars that a polygonizer needs, those that are not known being estimated.
+template <int D>
+struct Completed {
+  Scalars<D> scalars;
+  int finer;  // values count 2^-finer half quanta
+
+  Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints)
+      : scalars(known), finer(scalars.magnify()) {
+    estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
+    if (polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
+  }
+};
 
 }  // namespace isostar

@@ -6,6 +6,7 @@
 
 #include "bricks.h"
 #include "models.h"
+#include "shape_estimate.h"
 #include "simplex.h"
 
 namespace isostar {
@@ -50,12 +51,17 @@ class TruthExchange {
     return std::nullopt;
   }
 
+  /// The kernel that places the octave's surface best.
+  void see(Kernel kernel) { kernel_ = kernel; }
+  [[nodiscard]] Kernel kernel() const { return kernel_; }
   /// |scalar - isovalue| in quanta, of vertex x in row r of a brick of the finest octave.
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(place, r, x); }
   /// The typical difference along a crossing edge of the brick, 4 log2 of quanta.
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(place); }
   /// How far a vertex of the finest octave lies inside the domain, in quanta rounded down.
   [[nodiscard]] int32_t domain(std::size_t place, std::size_t r, int x) const { return field_.domain(place, r, x); }
+  /// By how many steps of the pass in work a cube is to be displaced further; `block` is the one at its lower corner.
+  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return field_.displacement(place, block); }
   /// Does the brick take part in a selective pass?
   [[nodiscard]] bool selected(std::size_t place) const { return field_.selected(place); }
   /// Of an adaptive octave: the centres of cells that stay whole, as row() has signs.
@@ -67,6 +73,7 @@ class TruthExchange {
   const Signs<D>* truth_;
   const Field& field_;
   const Signs<D>* kept_ = nullptr;
+  Kernel kernel_ = Kernel::Middle;
   std::span<const Signs<D>> truths_, keptByOctave_;
 };
 
@@ -93,9 +100,11 @@ class BlindExchange {
   [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
   [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const { return std::nullopt; }
+  [[nodiscard]] Kernel kernel() const { return Kernel::Middle; }
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] int gradient(std::size_t) const { return 0; }
   [[nodiscard]] int32_t domain(std::size_t, std::size_t, int) const { return 0; }
+  [[nodiscard]] int displacement(std::size_t, std::size_t) const { return 0; }
   [[nodiscard]] bool selected(std::size_t) const { return false; }
 
  private:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bricks.h"
+#include "displacements.h"
 #include "isostar/isostar.h"
 #include "stream.h"
 
@@ -118,9 +119,12 @@ class QuantizedField {
   QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs, const GridField<D>* domain = nullptr)
       : field_(field), header_(header), signs_(signs), domain_(domain) {}
   void select(std::vector<uint8_t> places) { selected_ = std::move(places); }
+  /// What a pass of displacements is to tell, in its steps.
+  void displace(Displacements<D> steps) { displacements_ = std::move(steps); }
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(header_, place, r, x); }
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, signs_, place); }
   [[nodiscard]] int32_t domain(std::size_t place, std::size_t r, int x) const { return domainQuanta(*domain_, header_, place, r, x); }
+  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return displacements_.at(place)[block]; }
   [[nodiscard]] bool selected(std::size_t place) const { return selected_[place] != 0; }
 
  private:
@@ -129,6 +133,7 @@ class QuantizedField {
   const Signs<D>& signs_;
   const GridField<D>* domain_;
   std::vector<uint8_t> selected_;
+  Displacements<D> displacements_;
 };
 
 }  // namespace isostar

@@ -3,8 +3,10 @@
 
 #include "adaptive.h"
 #include "close_by.h"
+#include "displacement_coder.h"
 #include "domain_coder.h"
 #include "halving_coder.h"
+#include "hints.h"
 #include "octave.h"
 #include "octaves_coder.h"
 #include "refinement_coder.h"
@@ -24,8 +26,13 @@ struct GeometryPass {
   Allowed allowed{};       // Halving
   int most = 1;            // Halving: of one interval
   bool selective = false;  // Halving: only in bricks that are told
+  DisplacementPass displacement{};   // Displacement
 
   void write(ByteWriter& out) const {
+    if (kind == LayerKind::Displacement) {
+      out.u8(static_cast<uint64_t>(displacement.log2Side) | static_cast<uint64_t>(displacement.step) << 2);
+      return;
+    }
     if (kind == LayerKind::Octaves) {
       out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(depth) << 1);
       return;
@@ -39,6 +46,10 @@ struct GeometryPass {
   /// False where a field is out of its range.
   [[nodiscard]] bool read(ByteReader& in) {
     const uint32_t first = in.u8();
+    if (kind == LayerKind::Displacement) {
+      displacement = {static_cast<int>(first & 3), static_cast<int>(first >> 2)};
+      return in.overrun() || (displacement.log2Side > 0 && displacement.step > 0);
+    }
     members = static_cast<Members>(first & 1);
     if (kind == LayerKind::Octaves) {
       depth = static_cast<int>(first >> 1);
@@ -86,22 +97,34 @@ struct Knowledge {
 
   template <class Exchange>
   void refine(Exchange& ask) {
-    if (partial) return fill(ask);
+    const Kernel shown = tellKernel(ask);
+    if (partial) return fill(ask, shown);
     Signs<D> finer = refined(signs);
     refinement.tell(ask, finer);
     if (ask.spent()) {  // the octave stays as it was
       unfinished = std::move(finer);
+      unfinishedKernel = shown;
       return;
     }
     signs = std::move(finer);
+    kernel = shown;
     ++level;
+  }
+
+  /// Which kernel places the octave's surface best.
+  template <class Exchange>
+  [[nodiscard]] Kernel tellKernel(Exchange& ask) {
+    const Kernel truth = ask.kernel();
+    if (kernelModel[0].bit(ask.coder(), truth == Kernel::Narrow)) return Kernel::Narrow;
+    return kernelModel[1].bit(ask.coder(), truth == Kernel::Middle) ? Kernel::Middle : Kernel::Wide;
   }
 
   /// The next octave of a mesh that has been welded as far as the topology allows.
   template <class Exchange>
-  void fill(Exchange& ask) {
+  void fill(Exchange& ask, Kernel shown) {
     partial->fill(ask, level + 1);
     if (ask.spent()) return;
+    kernel = shown;  // of the finest octave; before it the mesh is shown as its topology was planned
     if (++level < header.octaves()) return;
     signs = partial->takeSigns();
     partial.reset();
@@ -112,6 +135,7 @@ struct Knowledge {
     if (!refinement.began()) return;
     Signs<D> untold = refinement.untold(unfinished);
     partial.emplace(std::move(signs), std::move(unfinished), std::move(untold));
+    partial->kernel = unfinishedKernel;
   }
   /// Bytes that this takes at most.
   [[nodiscard]] uint64_t memoryToKeepUnfinished() const {
@@ -136,10 +160,15 @@ struct Knowledge {
   template <class Exchange>
   void geometry(Exchange& ask, const GeometryPass<D>& pass) {
     if (active.empty()) findActive();
+    if (pass.kind == LayerKind::Displacement) {
+      if (displacements.places() == 0) displacements = Displacements<D>(active.size());
+      displacing.tell(ask, signs, displacements, pass.displacement, active);
+      return;
+    }
     if (scalars.places() == 0) scalars = Scalars<D>(active.size());
     if (pass.kind == LayerKind::Octaves) {
       told[static_cast<std::size_t>(pass.members)] = true;
-      octaves.tell(ask, signs, scalars, pass.members, pass.depth, active);
+      octaves.tell(ask, signs, scalars, pass.members, pass.depth, active, hints());
     } else {
       halvings.tell(ask, signs, scalars, {pass.members, pass.allowed, pass.most, pass.selective}, active);
     }
@@ -159,13 +188,15 @@ struct Knowledge {
     else near.halvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
   }
 
+  /// Of the first isovalue's finest octave.
+  [[nodiscard]] Hints<D> hints() const { return {kernel, &displacements}; }
   [[nodiscard]] typename CloseBy<D>::First first() const { return {header.isovalue, signs, scalars}; }
 
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
   [[nodiscard]] uint64_t memoryBesideScalars() const {
     return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() + (partial ? partial->memory() : 0) +
-           (domain.places() != 0 ? domain.memory() : 0);
+           (domain.places() != 0 ? domain.memory() : 0) + displacements.memory();
   }
   /// What it takes to begin the first geometry layer, or the domain's, or to go on.
   [[nodiscard]] uint64_t memoryForScalars() const {
@@ -181,15 +212,20 @@ struct Knowledge {
 
   const Header& header;
   Signs<D> signs;
+  Kernel kernel = Kernel::Narrow;  // of the octave that is known
   int level;
   /// Instead of the signs: of a stream that keeps the topology, before its finest octave; and of one that ends within an octave.
   std::optional<AdaptiveMesh<D>> partial;
   Signs<D> unfinished;  // of an octave that has been told in part
+  Kernel unfinishedKernel = Kernel::Narrow;
+  std::array<Chance, 2> kernelModel;
   RefinementCoder<D> refinement;
   std::vector<uint8_t> active;  // bricks of the finest octave; empty before its scalars or the domain are told
+  Displacements<D> displacements;
   Scalars<D> scalars;
   Scalars<D> domain;  // of a trimmed stream: see DomainCoder
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
+  DisplacementCoder<D> displacing;
   OctavesCoder<D> octaves;
   HalvingCoder<D> halvings;
   CloseBy<D> near;

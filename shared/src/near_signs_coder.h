@@ -238,7 +238,7 @@ class NearSignsCoder {
   Scalars<D>* scalars_ = nullptr;
   VertexFront<D> front_;
   ScalarWindow<D> values_;
-  ShapeEstimate<D> shapes_;
+  ShapeEstimate<D> shapes_{Kernel::Wide};
   int gradient_ = 4;
   Steps steps_;
   std::vector<Chance> byInterval_, byGuess_, byCrossings_, byPattern_;

@@ -3,7 +3,9 @@
 
 #include <bit>
 
+#include "displacement_window.h"
 #include "exchange.h"
+#include "hints.h"
 #include "prediction.h"
 #include "tube.h"
 
@@ -21,7 +23,9 @@ class OctavesCoder {
   /// A brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least, floor being `depth`
   /// octaves below the brick's gradient.
   template <class Exchange>
-  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active) {
+  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
+            const Hints<D>& hints = {}) {
+    hints_ = hints;
     tell(ask, signs, scalars, members, depth, active, [](Tube<D>&) {});
   }
 
@@ -76,13 +80,17 @@ class OctavesCoder {
     floor_ = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
     window_.load(scalars, tube_.table(), tube_.at());
     shapes_.load(tube_.window());
+    if (hints_.displaced()) {
+      displaced_.load(*hints_.displacements, tube_.table(), tube_.at());
+      displaced_.spread();
+    }
     const Steps steps(gradient_);
     // Positive vertices first: the others then know the far ends of their crossing edges.
     for (const bool positive : {true, false}) tube_.forEach(positive, [&](int row, std::size_t r, int x) {
       if (ask.spent()) return;
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;  // by another isovalue
-      const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, steps);
+      const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, steps, displaced_.at(r, x));
       const int octave = tellOctave(ask, guess, ask.magnitude(place, r, x));
       const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor_ + octave - 1);
       brick.set(v, positive, low, octave == 0 ? floor_ : floor_ + octave - 1);
@@ -111,13 +119,18 @@ class OctavesCoder {
     const int guessed = eighths(static_cast<uint64_t>(p.magnitude) / 2);
     const int octave = std::max(0, 32 - std::countl_zero(truth) - floor_), last = kMostWidth - floor_;
     const auto guess = static_cast<std::size_t>(std::clamp((guessed - 8 * floor_ + 16) / 2, 0, kGuesses - 1));
+    // The same as the neighbours are to what the signs tell of them.
+    const int alike = p.confidence == 0 ? guessed
+                                        : eighths(static_cast<uint64_t>(p.own)) + eighths(static_cast<uint64_t>(p.other + p.same)) -
+                                              eighths(static_cast<uint64_t>(p.theirs)) - 8;
+    const auto ratio = static_cast<std::size_t>(std::clamp((alike - 8 * floor_ + 16) / 2, 0, kGuesses - 1));
     const auto confidence = static_cast<std::size_t>(p.confidence), shape = static_cast<std::size_t>(p.shape);
     const auto crossings = static_cast<std::size_t>(std::min(p.crossings, kCrossings - 1));
     const std::size_t other = relative(p.other, p.others), same = relative(p.same, p.sames);
     Chance* const byShape = &byShape_[(crossings * 64 + shape) * kMostOctaves];
     Chance* const byGuess = &byGuess_[((confidence * kGuesses + guess) * 4 + other / 4) * kMostOctaves];
     Chance* const bySizes = &bySizes_[((crossings * 16 + other) * 16 + same) * kMostOctaves];
-    Chance* const byAll = &byAll_[((guess * 16 + shape / 4) * kCrossings + crossings) * kMostOctaves];
+    Chance* const byAll = &byAll_[((ratio * 16 + shape / 4) * kCrossings + crossings) * kMostOctaves];
     const std::size_t trust = (other != 0 ? 1 : 0) + (same != 0 ? 2 : 0);
     auto above = [&](int k) {
       const auto at = static_cast<std::size_t>(std::min(k, kMostOctaves - 1));
@@ -134,9 +147,11 @@ class OctavesCoder {
     return k;
   }
 
+  Hints<D> hints_;
+  DisplacementWindow<D> displaced_;
   Tube<D> tube_;
   ScalarWindow<D> window_;
-  ShapeEstimate<D> shapes_;
+  ShapeEstimate<D> shapes_{Kernel::Wide};  // as a context best for all
   int gradient_ = 0, floor_ = 0;  // of the brick in work
   int lastGradient_ = 0;
   std::array<Chance, 16> gradientModel_;

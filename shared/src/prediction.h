@@ -32,7 +32,10 @@ class Steps {
 /// time and not to save bytes.
 template <int D>
 struct Prediction {
+  static constexpr int32_t kLeastEstimate = 256;
+
   int64_t magnitude = 0;  // the guess, half quanta
+  int64_t own = 0, theirs = 0;  // what the signs and displacements alone tell of this vertex, and of known neighbours summed up
   int confidence = 0;     // 0: from the signs alone … 3: three neighbours or more are known
   int shape = 0;          // 0 … 63: the weighed sum of signs, seen from the vertex's own side
   int crossings = 0;      // neighbours of the other sign
@@ -40,12 +43,13 @@ struct Prediction {
   int others = 0, sames = 0;    // how many these are
 
   /// Of vertex x in row r of the tube's brick, in row `row` of its window. Known neighbours are extrapolated along the
-  /// slope that the signs show.
+  /// slope that the signs show. `displaced`: by how much the surface lies off where they put it, as a ShapeEstimate counts.
   static Prediction of(const ShapeEstimate<D>& shapes, const ScalarWindow<D>& scalars, const Tube<D>& tube, int row, std::size_t r, int x,
-                       const Steps& steps) {
+                       const Steps& steps, int32_t displaced) {
     Prediction p;
     const bool mine = tube.positive(row, x);
-    const int32_t own = mine ? shapes.sum(r, x) : -shapes.sum(r, x);
+    const int32_t estimate = shapes.sum(r, x) - displaced, own = mine ? estimate : -estimate;
+    p.own = std::max(own, kLeastEstimate);
     p.shape = std::clamp((own + 1024) >> 7, 0, 63);
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
     int64_t sum = 0;
@@ -63,7 +67,9 @@ struct Prediction {
         p.same += size & ~crossing;
         p.sames -= known & ~crossing;
         sum += value & known;
-        tilt += side * ((known & 1) * shapes.slope(a, r, x));
+        const int32_t slope = side * shapes.slope(a, r, x), beside = estimate + slope;
+        tilt += (known & 1) * slope;
+        p.theirs += std::max(value < 0 ? -beside : beside, kLeastEstimate) & known;
       }
     }
     const int count = p.others + p.sames;

@@ -24,12 +24,14 @@ class ReconstructionIn : public Reconstruction {
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
     GeometryPass<D> pass;
     pass.kind = head.kind;
-    const bool geometry = head.kind == LayerKind::Octaves || head.kind == LayerKind::Halving || head.kind == LayerKind::NearGeometry;
+    const bool geometry = head.kind >= LayerKind::Octaves && head.kind != LayerKind::Domain && head.kind != LayerKind::NearSigns;
     if (torn && !showsTorn(head, bytes.size())) return {};
     if (geometry) {
       ByteReader fields(bytes);
-      if (head.kind == LayerKind::NearGeometry) pass.kind = static_cast<LayerKind>(fields.u8());
-      if (!fields.overrun() && pass.kind != LayerKind::Octaves && pass.kind != LayerKind::Halving) return {Error::Corrupt};
+      if (head.kind == LayerKind::NearGeometry) {
+        pass.kind = static_cast<LayerKind>(fields.u8());
+        if (!fields.overrun() && pass.kind != LayerKind::Octaves && pass.kind != LayerKind::Halving) return {Error::Corrupt};
+      }
       if (!pass.read(fields)) return {Error::Corrupt};
       if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
       bytes = bytes.subspan(fields.position());
@@ -105,12 +107,12 @@ class ReconstructionIn : public Reconstruction {
     if (!based_) return kind == LayerKind::Base && level == 0;
     if (known_.level < octaves) return kind == LayerKind::Refinement && level == known_.level + 1;
     if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == octaves;
-    return (kind == LayerKind::Octaves || kind == LayerKind::Halving) && level == octaves;
+    return (kind == LayerKind::Octaves || kind == LayerKind::Halving || kind == LayerKind::Displacement) && level == octaves;
   }
 
   /// Octaves, of vertices or of scalars, show in part if it is a quarter: where they meet what is coarser they are no better.
   [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
-    if (head.kind == LayerKind::Halving || head.kind == LayerKind::NearGeometry) return true;
+    if (head.kind == LayerKind::Halving || head.kind == LayerKind::Displacement || head.kind == LayerKind::NearGeometry) return true;
     const bool can = head.kind == LayerKind::Octaves || (head.kind == LayerKind::Refinement && !known_.partial);
     return can && 4 * bytes >= head.bytes;
   }
@@ -143,6 +145,7 @@ class ReconstructionIn : public Reconstruction {
     const std::vector<uint8_t>& active;
     const Scalars<D>& scalars;
     const std::array<bool, 2>& told;
+    Hints<D> hints;
   };
 
   /// Calls make(surface, bytes held) with the surface of the isovalue that is asked for: as it was told, or between those that were.
@@ -151,11 +154,11 @@ class ReconstructionIn : public Reconstruction {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
     const uint64_t held = known_.memory() + known_.near.memory();
     if (const NearSurface<D>* near = known_.near.find(isovalue)) {
-      return withCompleted({near->signs, near->active, near->scalars, near->told}, header_.at(isovalue), options, held, make);
+      return withCompleted({near->signs, near->active, near->scalars, near->told, {known_.kernel}}, header_.at(isovalue), options, held, make);
     }
     if (known_.partial) return withPartial(held, make);
     if (known_.scalars.places() == 0) return withEstimated(options, held, make);
-    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told}, header_, options, held, make);
+    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told, known_.hints()}, header_, options, held, make);
     return withBetween(isovalue, options, held, make);
   }
 
@@ -175,7 +178,7 @@ class ReconstructionIn : public Reconstruction {
     held += places + Scalars<D>::memoryOf(places, 0);
     if (held > limits_.memory) return Error::OverLimit;
     const auto active = activeBricks(known_.signs);
-    return withCompleted({known_.signs, active, Scalars<D>(places), known_.told}, header_, options, held, make);
+    return withCompleted({known_.signs, active, Scalars<D>(places), known_.told, known_.hints()}, header_, options, held, make);
   }
 
   template <class Make>
@@ -186,7 +189,7 @@ class ReconstructionIn : public Reconstruction {
     held += between.memory();
     const uint64_t completed = memoryCompleted(between.scalars(), between.active());
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    estimate(between.signs(), between.active(), options, between.finer(), between.scalars());
+    estimate(between.signs(), between.active(), options, between.finer(), {known_.kernel}, between.scalars());
     return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement}, held + completed);
   }
 
@@ -201,11 +204,9 @@ class ReconstructionIn : public Reconstruction {
     }
     const uint64_t completed = memoryCompleted(known.scalars, known.active);
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    Scalars<D> scalars = known.scalars;
-    const int finer = scalars.magnify();
-    const double scale = 1 << finer;
-    estimate(known.signs, known.active, options, finer, scalars);
-    return make(Surface<D>{known.signs, scalars, positive * scale, negative * scale, header_.placement, domain()}, held + completed);
+    const Completed<D> full(known.signs, known.active, known.scalars, options.polygonizer, known.hints);
+    const double scale = 1 << full.finer;
+    return make(Surface<D>{known.signs, full.scalars, positive * scale, negative * scale, header_.placement, domain()}, held + completed);
   }
 
   /// Of scalars with estimates in all active bricks; while they are made, those before are kept, too.
@@ -215,9 +216,10 @@ class ReconstructionIn : public Reconstruction {
     return Scalars<D>::memoryOf(active.size(), bricks);
   }
 
-  static void estimate(const Signs<D>& signs, const std::vector<uint8_t>& active, const MeshOptions& options, int finer, Scalars<D>& scalars) {
-    estimateMissing(signs, active, Members::AxisEnds, finer, scalars);
-    if (options.polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars);
+  static void estimate(const Signs<D>& signs, const std::vector<uint8_t>& active, const MeshOptions& options, int finer,
+                       const Hints<D>& hints, Scalars<D>& scalars) {
+    estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
+    if (options.polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
   }
 
   const Header& header_;

@@ -10,15 +10,23 @@
 
 namespace isostar {
 
-/// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each axis, so that the sums
-/// are made axis by axis, for a row of eight vertices at once. In each dimension they are about as large as in three.
+/// How far around a vertex signs count. Smooth surfaces are placed best by a wide kernel, noise and coarse octaves by a narrow one.
+enum class Kernel : uint8_t { Narrow, Middle, Wide };
+
+/// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each axis for the wide kernel, so
+/// that the sums are made axis by axis, for a row of eight vertices at once. In each dimension they are about as large as in three.
 template <int D>
 class ShapeEstimate {
  public:
+  explicit ShapeEstimate(Kernel kernel)
+      : own_(weights(kernel).own), beside_(weights(kernel).beside), far_(weights(kernel).far), scale_(weights(kernel).scale) {
+    tabulate();
+  }
+
   void load(const Window<D>& window) {
     for (std::size_t r = 0; r < kRows; ++r) {
-      alongRow(kSmooth, window.rows[r], fields_[0][r]);
-      alongRow(kSlope, window.rows[r], fields_[1][r]);
+      alongRow(smooth_, window.rows[r], fields_[0][r]);
+      alongRow(slope_, window.rows[r], fields_[1][r]);
     }
     std::size_t inner = 1, outer = kRows / Window<D>::kSide;
     for (std::size_t axis = 1; axis < D; ++axis, inner *= kBrickSide, outer /= Window<D>::kSide) {
@@ -32,16 +40,25 @@ class ShapeEstimate {
   }
 
   /// Of weight · sign at vertex x of row r: grows with the distance to the surface.
-  [[nodiscard]] int32_t sum(std::size_t r, int x) const { return fields_[0][r][x]; }
+  [[nodiscard]] int32_t sum(std::size_t r, int x) const { return scaled(fields_[0][r][x]); }
   /// Of weight · sign · offset: points to larger values.
-  [[nodiscard]] int32_t slope(int axis, std::size_t r, int x) const { return fields_[static_cast<std::size_t>(axis) + 1][r][x]; }
+  [[nodiscard]] int32_t slope(int axis, std::size_t r, int x) const { return scaled(fields_[static_cast<std::size_t>(axis) + 1][r][x]); }
 
  private:
   using Row [[gnu::vector_size(16)]] = int16_t;
   using Half = std::array<int16_t, 4>;
   static constexpr std::size_t kRows = Window<D>::kRows;
-  static constexpr std::array<int, 5> kWeight{1, 5, 8, 5, 1};
   static constexpr int16_t kWeightSum = 20;
+  /// Of a vertex itself, those beside it and those behind them; their sum over an axis is always the same. Then 256ths by which sums
+  /// are scaled, so that a plane has about the same slope.
+  struct Weights {
+    int16_t own, beside, far, scale;
+  };
+  static constexpr Weights weights(Kernel kernel) {
+    return kernel == Kernel::Narrow ? Weights{12, 4, 0, 171} : kernel == Kernel::Middle ? Weights{10, 5, 0, 205} : Weights{8, 5, 1, 256};
+  }
+
+  [[nodiscard]] int32_t scaled(int32_t sum) const { return sum * scale_ >> 8; }
 
   template <class Change>
   void forRows(std::size_t fields, std::size_t rows, Change change) {
@@ -51,22 +68,21 @@ class ShapeEstimate {
   }
 
   /// Four vertices from the eight signs around them.
-  template <bool IsSlope>
-  static constexpr std::array<Half, 256> tabulate() {
-    std::array<Half, 256> table{};
+  void tabulate() {
+    const std::array<int, 5> weights{far_, beside_, own_, beside_, far_};
     for (unsigned signs = 0; signs < 256; ++signs) {
       for (unsigned x = 0; x < 4; ++x) {
-        int sum = 0;
+        int sum = 0, slope = 0;
         for (int d = 0; d < 5; ++d) {
-          const int weight = kWeight[static_cast<std::size_t>(d)] * (IsSlope ? d - 2 : 1);
-          sum += (signs >> (x + static_cast<unsigned>(d)) & 1) != 0 ? weight : -weight;
+          const int weight = (signs >> (x + static_cast<unsigned>(d)) & 1) != 0 ? weights[static_cast<std::size_t>(d)] : -weights[static_cast<std::size_t>(d)];
+          sum += weight;
+          slope += weight * (d - 2);
         }
-        table[signs][x] = static_cast<int16_t>(sum);
+        smooth_[signs][x] = static_cast<int16_t>(sum);
+        slope_[signs][x] = static_cast<int16_t>(slope);
       }
     }
-    return table;
   }
-  static constexpr std::array<Half, 256> kSmooth = tabulate<false>(), kSlope = tabulate<true>();
 
   /// By halves straight to memory, where they are read as a whole much later: sooner the processor would have to wait.
   static void alongRow(const std::array<Half, 256>& table, unsigned signs, Row& row) {
@@ -76,13 +92,15 @@ class ShapeEstimate {
   }
 
   /// From the twelve planes of a window on an axis to the eight of a brick; in place too, as nothing is read again once it is written over.
-  static void smooth(Row* rows, std::size_t outer, std::size_t inner) {
-    forPlanes(rows, rows, outer, inner, [inner](const Row* at) {
-      return at[0] + at[4 * inner] + 5 * (at[inner] + at[3 * inner]) + 8 * at[2 * inner];
+  void smooth(Row* rows, std::size_t outer, std::size_t inner) const {
+    forPlanes(rows, rows, outer, inner, [inner, own = own_, beside = beside_, far = far_](const Row* at) {
+      return far * (at[0] + at[4 * inner]) + beside * (at[inner] + at[3 * inner]) + own * at[2 * inner];
     });
   }
-  static void slope(const Row* rows, Row* out, std::size_t outer, std::size_t inner) {
-    forPlanes(rows, out, outer, inner, [inner](const Row* at) { return 2 * (at[4 * inner] - at[0]) + 5 * (at[3 * inner] - at[inner]); });
+  void slope(const Row* rows, Row* out, std::size_t outer, std::size_t inner) const {
+    forPlanes(rows, out, outer, inner, [inner, beside = beside_, far = static_cast<int16_t>(2 * far_)](const Row* at) {
+      return far * (at[4 * inner] - at[0]) + beside * (at[3 * inner] - at[inner]);
+    });
   }
   template <class Filter>
   static void forPlanes(const Row* rows, Row* out, std::size_t outer, std::size_t inner, Filter filter) {
@@ -91,6 +109,8 @@ class ShapeEstimate {
     }
   }
 
+  const int16_t own_, beside_, far_, scale_;
+  std::array<Half, 256> smooth_, slope_;
   std::array<std::array<Row, kRows>, D + 1> fields_;  // the sum, then the slope on each axis
 };
 

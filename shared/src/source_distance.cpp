@@ -100,11 +100,11 @@ double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, int evenAt, in
 }
 
 template <int D>
-double SourceDistance<D>::rms(const Signs<D>& coarse) const {
+double SourceDistance<D>::rms(const Signs<D>& coarse, Kernel kernel) const {
   constexpr std::size_t kSamples = 128;  // each searches for the nearest vertex
   constexpr double kBeside = 0.75;       // steps of the octave: so far beside a vertex the surface goes on as a plane
   if (samples_.empty()) return 0;
-  const VertexCloud<D> cloud(coarse, unit_);
+  const VertexCloud<D> cloud(coarse, unit_, kernel);
   if (cloud.empty()) {
     Point box;
     for (std::size_t a = 0; a < D; ++a) box[a] = field_.last()[a] * unit_[a];
@@ -122,11 +122,11 @@ double SourceDistance<D>::rms(const Signs<D>& coarse) const {
 }
 
 template <int D>
-double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars) const {
+double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints) const {
   const auto& table = finest.table();
   const bool told = scalars.places() != 0;
   Scalars<D> estimated = told ? Scalars<D>() : Scalars<D>(table.total());
-  if (!told) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated);
+  if (!told) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated, hints);
   ScalarWindow<D> window;
   std::size_t loaded = SIZE_MAX;
   double sum = 0;

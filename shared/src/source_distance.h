@@ -3,6 +3,7 @@
 
 #include "crossings.h"
 #include "field.h"
+#include "hints.h"
 #include "scalars.h"
 
 namespace isostar {
@@ -16,9 +17,9 @@ class SourceDistance {
 
   /// RMS distance from the source's surface to what `cubes` makes of a coarse octave's signs: what is missing counts, too.
   /// Where there is nothing yet, the diagonal of the box.
-  [[nodiscard]] double rms(const Signs<D>& coarse) const;
+  [[nodiscard]] double rms(const Signs<D>& coarse, Kernel kernel) const;
   /// RMS distance of the finest octave's surface; scalars without places stand for none told.
-  [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars) const;
+  [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints = {}) const;
 
   /// The bricks with an end of an edge on which a vertex of the finest surface is off by more than a bound, 1 marked, by
   /// place; empty if there is none. All scalars are known.

@@ -277,7 +277,6 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   if (r.overrun()) return Error::Truncated;
   const auto kind = static_cast<LayerKind>(first >> 5);
   const uint32_t level = first & 31;
-  if (kind > LayerKind::Domain && !isNear(kind)) return Error::Corrupt;
   const bool numbered = level >= 1 && level <= header.near.size();
   if (isNear(kind) ? !numbered : level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
   out = {kind, static_cast<int>(level), unpack(error), bytes, sum};

@@ -69,7 +69,7 @@ struct Header {
 [[nodiscard]] Header headerOf(const Sequence& sequence);
 
 /// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead of the octave.
-enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3, Domain = 4, NearSigns = 6, NearGeometry = 7 };
+enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3, Domain = 4, Displacement = 5, NearSigns = 6, NearGeometry = 7 };
 
 struct LayerHead {
   LayerKind kind = LayerKind::Base;

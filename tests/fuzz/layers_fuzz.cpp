@@ -34,7 +34,8 @@ LayerHead expected(const Header& header, int told) {
   if (told <= header.octaves()) return {LayerKind::Refinement, told};
   const int passes = told - header.octaves() - 1;
   if (header.adaptive) return {passes % 2 == 0 ? LayerKind::Octaves : LayerKind::Halving, std::min(passes / 2, 31)};
-  if (passes < 2) return {passes == 0 ? LayerKind::Octaves : LayerKind::Halving, header.octaves()};
+  constexpr std::array<LayerKind, 3> kPasses{LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving};
+  if (passes < 3) return {kPasses[static_cast<std::size_t>(passes)], header.octaves()};
   return {passes % 3 == 2 ? LayerKind::NearSigns : LayerKind::NearGeometry, std::min(passes / 3 + (passes % 3 == 2 ? 1 : 0), 31)};
 }
 

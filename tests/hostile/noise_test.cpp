@@ -41,7 +41,7 @@ Bytes streamOf(const Header& header, Payload payload) {
     layers.push_back(
         {{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? known.base(ask) : known.refine(ask); })});
   }
-  for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
+  for (const LayerKind kind : {LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       const GeometryPass<3> pass{kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
       Bytes bytes = fieldsOf(pass);
@@ -182,6 +182,7 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
 struct SteepField {
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return (1u << 29) - 1; }
   [[nodiscard]] int gradient(std::size_t) const { return 4 * 31 + 3; }
+  [[nodiscard]] int displacement(std::size_t, std::size_t) const { return 4; }
   [[nodiscard]] bool selected(std::size_t) const { return true; }
 };
 
@@ -206,7 +207,7 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
 }
 
 /// What a decoder holds beside what is counted: its models, and the bytes that it was fed.
-constexpr std::size_t kModels = 2u << 20;
+constexpr std::size_t kModels = 9u << 18;
 
 std::size_t peakOf(const Bytes& bytes, const Limits& limits, Error& error) {
   const Allocation allocation;

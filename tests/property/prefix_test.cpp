@@ -96,7 +96,7 @@ TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
     EXPECT_GT(decoder.rmsError(), 0.7 * found - 0.003) << "level " << decoder.level();
     // Between the few vertices of the base the sphere is further away than they are.
     if (decoder.level() > 0) {
-      EXPECT_LT(decoder.rmsError(), 1.3 * found + 0.003) << "level " << decoder.level();
+      EXPECT_LT(decoder.rmsError(), 1.4 * found + 0.003) << "level " << decoder.level();
     }
   }
 }
@@ -126,7 +126,7 @@ TEST(Prefix, aTornLayerIsNoWorseThanNone) {
     if (decoder.level() < decoder.levels() - 1) continue;
     const double found =
         distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 29 + 0.013);
-    EXPECT_LE(found, decoder.rmsError() * 1.15 + 0.002) << length << " bytes";
+    EXPECT_LE(found, decoder.rmsError() * 1.25 + 0.002) << length << " bytes";
   }
 }
 

@@ -30,7 +30,7 @@ Bytes example() { return exampleOf(ISOSTAR_DOCUMENTS "/format.md"); }
 
 TEST(FormatDocument, itsHeaderIsAsItSays) {
   const Bytes bytes = example();
-  ASSERT_EQ(bytes.size(), 72u);
+  ASSERT_EQ(bytes.size(), 81u);
   Header header;
   std::size_t used = 0;
   ASSERT_EQ(read(bytes, header, used), Error::None);
@@ -38,12 +38,12 @@ TEST(FormatDocument, itsHeaderIsAsItSays) {
   EXPECT_EQ(header.dimension, 3);
   EXPECT_EQ(header.size, (Coordinates<4>{7, 6, 9, 1}));
   EXPECT_EQ(header.isovalue, 0.25);
-  EXPECT_EQ(header.quantum, 0x1p-28);
+  EXPECT_EQ(header.quantum, 0x1p-27);
   EXPECT_EQ(header.maxError, 0.1);
   EXPECT_EQ(header.vertices, 50u);
   EXPECT_EQ(header.placement.spacing, (std::array{0.5, 0.5, 1.25}));
   EXPECT_EQ(header.placement.origin, Placement().origin);
-  EXPECT_EQ(header.bytes, 52u);
+  EXPECT_EQ(header.bytes, 61u);
   EXPECT_EQ(header.octaves(), 1);
   EXPECT_FALSE(header.lossless || header.adaptive || header.whole || header.keepsTopology);
   Bytes again;
@@ -66,8 +66,8 @@ TEST(FormatDocument, itsLayersAreAsItSays) {
   Header header;
   std::size_t used = 0;
   ASSERT_EQ(read(bytes, header, used), Error::None);
-  for (const HeadOf& expected : {HeadOf{20, LayerKind::Base, 0, 2.38, 3, 0x59BD}, HeadOf{28, LayerKind::Refinement, 1, 0.459, 4, 0x1D1B},
-                                 HeadOf{37, LayerKind::Octaves, 1, 0.0203, 10, 0x3304}, HeadOf{52, LayerKind::Halving, 1, 0.0203, 15, 0xF43A}}) {
+  for (const HeadOf& expected : {HeadOf{20, LayerKind::Base, 0, 1, 4, 0x7A06}, HeadOf{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
+                                 HeadOf{39, LayerKind::Octaves, 1, 0.0573, 14, 0xE84B}, HeadOf{58, LayerKind::Halving, 1, 0.0170, 18, 0x1592}}) {
     LayerHead head;
     ASSERT_EQ(read(std::span(bytes).subspan(expected.at), header, head, used), Error::None);
     EXPECT_EQ(used, 5u);
@@ -84,15 +84,15 @@ TEST(FormatDocument, itsPassesAreAsItSays) {
   const Bytes bytes = example();
   const std::span<const std::byte> stream(bytes);
   GeometryPass<3> pass;
-  ByteReader octaves(stream.subspan(42));
+  ByteReader octaves(stream.subspan(44));
   ASSERT_TRUE(pass.read(octaves));
   EXPECT_EQ(octaves.position(), 1u);
   EXPECT_EQ(pass.members, Members::AxisEnds);
   EXPECT_EQ(pass.depth, 3);
   pass.kind = LayerKind::Halving;
-  ByteReader halving(stream.subspan(57));
+  ByteReader halving(stream.subspan(63));
   ASSERT_TRUE(pass.read(halving));
-  EXPECT_EQ(halving.position(), 68u - 57u);
+  EXPECT_EQ(halving.position(), 74u - 63u);
   EXPECT_EQ(pass.members, Members::AxisEnds);
   EXPECT_FALSE(pass.selective);
   EXPECT_EQ(pass.most, 30);

@@ -1,0 +1,161 @@
+#include "displacement_plan.h"
+
+#include <cmath>
+
+#include "crossings.h"
+#include "displacement_window.h"
+
+namespace isostar {
+namespace {
+
+/// A sum of errors, in grid steps, by what is to be displaced.
+struct Mean {
+  float sum = 0;
+  uint32_t count = 0;
+
+  void add(double error) {
+    sum += static_cast<float>(error);
+    ++count;
+  }
+  [[nodiscard]] int8_t steps(double step) const {
+    constexpr double kWorthTelling = 0.6, kMost = 4;
+    const double steps = count == 0 ? 0 : sum / count / step;
+    return static_cast<int8_t>(std::abs(steps) < kWorthTelling ? 0 : std::clamp(std::round(steps), -kMost, kMost));
+  }
+};
+
+/// Means by block, in bricks that are made as they are asked for.
+template <int D>
+class Means {
+ public:
+  using Brick = std::array<Mean, Displacements<D>::kBlocks>;
+
+  explicit Means(std::size_t places) : at_(places, 0) {}
+  Mean& at(std::size_t place, std::size_t block) {
+    if (at_[place] == 0) {
+      bricks_.emplace_back();
+      at_[place] = static_cast<uint32_t>(bricks_.size());
+    }
+    return bricks_[at_[place] - 1][block];
+  }
+  [[nodiscard]] const Brick* find(std::size_t place) const { return at_[place] == 0 ? nullptr : &bricks_[at_[place] - 1]; }
+
+ private:
+  std::vector<uint32_t> at_;
+  std::vector<Brick> bricks_;
+};
+
+/// Of a block: the one at the lower corner of its cube.
+template <int D>
+std::size_t cubeOf(std::size_t block, int log2Side) {
+  std::size_t corner = 0, stride = 1;
+  for (int a = 0; a < D; ++a, block /= Displacements<D>::kSide, stride *= Displacements<D>::kSide) {
+    corner += (block % Displacements<D>::kSide >> (log2Side - 1) << (log2Side - 1)) * stride;
+  }
+  return corner;
+}
+
+}  // namespace
+
+template <int D>
+DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel)
+    : field_(field), signs_(signs), active_(active), estimates_(active.size()), blocks_(active.size()) {
+  Tube<D> tube;
+  ShapeEstimate<D> shapes(kernel);
+  for (std::size_t place = 0; place < active.size(); ++place) {
+    if (active[place] == 0) continue;
+    tube.enter(signs, place, Members::AxisEnds);
+    if (tube.empty()) continue;
+    shapes.load(tube.window());
+    auto& brick = estimates_.writable(place);
+    tube.forEach([&](int, std::size_t r, int x) { brick.value[r * kBrickSide + static_cast<std::size_t>(x)] = shapes.sum(r, x); });
+    auto& blocks = blocks_.writable(place);
+    tube.forEach(true, [&](int, std::size_t r, int x) { blocks[Displacements<D>::block(r, x)] = 1; });
+  }
+}
+
+template <int D>
+template <class Visit>
+void DisplacementPlan<D>::forEachError(const Displacements<D>& told, Visit visit) const {
+  constexpr double kSlope = Displacements<D>::kPlaneSlope, kLeast = kSlope / 8;  // as completion.h has it
+  const auto& table = signs_.table();
+  ScalarWindow<D> window;
+  DisplacementWindow<D> displaced;
+  forCrossedRows(
+      signs_, active_, false,
+      [&](std::size_t place) {
+        window.load(estimates_, table, table.brick(place));
+        if (told.places() != 0) displaced.load(told, table, table.brick(place));
+      },
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        for (; crossed != 0; crossed &= crossed - 1) {
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          const double even = field_.scalar(ends.even), odd = field_.scalar(ends.odd), side = even > 0 ? 1 : -1;
+          const auto shown = [&](Coordinates<D> vertex, int at, double sign) {
+            for (int a = 0; a < D; ++a) vertex[a] -= brick[a] * kBrickSide;
+            const int32_t estimate = window.value[static_cast<std::size_t>(at)] - (told.places() == 0 ? 0 : displaced.smooth(vertex));
+            return std::max(sign * estimate, kLeast);
+          };
+          const double a = shown(ends.even, ends.evenAt, side), b = shown(ends.odd, ends.oddAt, -side);
+          visit(even > 0 ? ends.even : ends.odd, side * (a - even / (even - odd) * (a + b)) / kSlope);
+        }
+      });
+}
+
+template <int D>
+Displacements<D> DisplacementPlan<D>::reached(const Displacements<D>& told, const Displacements<D>& steps, const DisplacementPass& pass) const {
+  Displacements<D> result = told.places() == 0 ? Displacements<D>(active_.size()) : told;
+  for (std::size_t place = 0; place < active_.size(); ++place) {
+    if (active_[place] == 0) continue;
+    const auto& blocks = blocks_.at(place);
+    auto& brick = result.writable(place);
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+      if (blocks[block] == 1) Displacements<D>::move(brick[block], steps.at(place)[cubeOf<D>(block, pass.log2Side)] * pass.step);
+    }
+  }
+  return result;
+}
+
+template <int D>
+double DisplacementPlan<D>::error(const Displacements<D>& told) const {
+  double squares = 0;
+  std::size_t edges = 0;
+  forEachError(told, [&](const Coordinates<D>&, double error) {
+    squares += error * error;
+    ++edges;
+  });
+  return edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges));
+}
+
+template <int D>
+typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements<D>& told, const DisplacementPass& pass) const {
+  const auto& table = signs_.table();
+  const double step = static_cast<double>(pass.step) / Displacements<D>::kPerStep;
+  double squares = 0;
+  std::size_t edges = 0;
+  Means<D> means(active_.size());
+  forEachError(told, [&](const Coordinates<D>& positive, double error) {
+    squares += error * error;
+    ++edges;
+    std::size_t place = 0, block = 0;
+    for (int a = D - 1; a >= 0; --a) {
+      place += static_cast<std::size_t>(positive[a] / kBrickSide) * table.stride(a);
+      block = block * Displacements<D>::kSide + static_cast<std::size_t>(positive[a] % kBrickSide / 2);
+    }
+    means.at(place, cubeOf<D>(block, pass.log2Side)).add(error);
+  });
+  Next next{Displacements<D>(active_.size()), {}, edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};
+  for (std::size_t place = 0; place < active_.size(); ++place) {
+    const auto* of = means.find(place);
+    if (of == nullptr) continue;
+    std::transform(of->begin(), of->end(), next.steps.writable(place).begin(), [&](const Mean& mean) { return mean.steps(step); });
+  }
+  next.reached = reached(told, next.steps, pass);
+  return next;
+}
+
+template class DisplacementPlan<2>;
+template class DisplacementPlan<3>;
+template class DisplacementPlan<4>;
+
+}  // namespace isostar

@@ -1,0 +1,132 @@
+// Tells layers: the encoder's half of the traversal.
+#pragma once
+
+#include "encode_topology.h"
+#include "isostar/isostar.h"
+#include "layers.h"
+#include "source.h"
+
+namespace isostar {
+
+/// Tells layers one after the other.
+template <int D>
+class LayerWriter {
+ public:
+  LayerWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
+      : options_(options), octaves_(header.octaves()), source_(&first), known_(header) {}
+
+  void signs() {
+    const Signs<D>& finest = source_->signs();
+    std::vector<Signs<D>> coarse(static_cast<std::size_t>(octaves_));
+    for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
+    std::vector<Signs<D>> whole;
+    if constexpr (D == 3) {
+      if (known_.header.keepsTopology) {
+        coarse.push_back(finest);
+        whole = wholeCells(known_.header, coarse);
+      }
+    }
+    for (int level = 0; level <= octaves_; ++level) {
+      const Signs<D>& truth = level < octaves_ ? coarse[static_cast<std::size_t>(level)] : finest;
+      tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
+        ask.follow(coarse, whole);
+        if (level > 0) ask.see(kernelFor(truth));
+        if (level == 0) known_.base(ask);
+        else known_.refine(ask);
+      });
+      if (options_.progress) options_.progress(0.5 * (level + 1) / (octaves_ + 1));
+    }
+  }
+
+  void domain() {
+    tell({LayerKind::Domain, octaves_, 0, 0, 0}, source_->signs(), [&](auto& ask) { known_.tellDomain(ask); });
+  }
+
+  /// The signs of a further isovalue; passes are its from now on.
+  void nearSigns(int number, Source<D>& source) {
+    number_ = number;
+    source_ = &source;
+    tell({LayerKind::NearSigns, number, 0, 0, 0}, source.signs(), [&](auto& ask) { known_.nearSigns(ask, number); });
+  }
+
+  void geometry(const GeometryPass<D>& pass) {
+    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::NearGeometry, number_ == 0 ? octaves_ : number_, 0, 0, 0};
+    tell(
+        head, source_->signs(),
+        [&](auto& ask) {
+          if (number_ == 0) known_.geometry(ask, pass);
+          else known_.nearGeometry(ask, pass);
+        },
+        &pass);
+  }
+
+  /// The bricks where a vertex of the surface is off by more than the bound, by place; none if there are none.
+  [[nodiscard]] std::vector<uint8_t> beyond(double bound) const {
+    if (number_ == 0) return source_->distance().beyond(bound, known_.signs, known_.scalars, known_.active);
+    const NearSurface<D>& last = known_.near.surfaces().back();
+    return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
+  }
+  void select(std::vector<uint8_t> places) { source_->quantized().select(std::move(places)); }
+
+  /// Displacements as planned; `steps`: of a pass.
+  void displace(const DisplacementPass& pass, Displacements<D> steps) {
+    GeometryPass<D> geometryPass;
+    geometryPass.kind = LayerKind::Displacement;
+    geometryPass.displacement = pass;
+    source_->quantized().displace(std::move(steps));
+    geometry(geometryPass);
+  }
+  [[nodiscard]] DisplacementPlan<D> displacementPlan() const { return source_->displacementPlan(known_.kernel); }
+  [[nodiscard]] const Displacements<D>& displacements() const { return known_.displacements; }
+
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  template <class Tell>
+  void tell(LayerHead head, const Signs<D>& truth, Tell what, const GeometryPass<D>* pass = nullptr) {
+    std::vector<std::byte> layer;
+    if (pass != nullptr) {
+      ByteWriter fields(layer);
+      if (head.kind == LayerKind::NearGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
+      pass->write(fields);
+    }
+    RangeEncoder coder(layer);
+    TruthExchange<D, RangeEncoder, QuantizedField<D>> ask(coder, truth, source_->quantized());
+    what(ask);
+    coder.finish();
+    head.error = rms();
+    append(bytes_, head, layer);
+  }
+
+  /// The kernel that places an octave's surface best.
+  [[nodiscard]] Kernel kernelFor(const Signs<D>& octave) const {
+    Kernel best = Kernel::Narrow;
+    double least = 0;
+    for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
+      const double error = &octave == &source_->signs() ? source_->distance().rms(octave, {}, {kernel}) : source_->distance().rms(octave, kernel);
+      if (kernel == Kernel::Narrow || error < least) best = kernel, least = error;
+    }
+    return best;
+  }
+
+  [[nodiscard]] double rms() const {
+    const SourceDistance<D>& distance = source_->distance();
+    if (known_.partial) return distance.rms(known_.partial->shown(octaves_)->signs, known_.partial->kernel);
+    if (known_.level < octaves_) return distance.rms(known_.signs, known_.kernel);
+    if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());
+    const NearSurface<D>& last = known_.near.surfaces().back();
+    if (last.told[0]) return distance.rms(last.signs, last.scalars);
+    Scalars<D> estimated = last.scalars;
+    estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated, {known_.kernel});
+    return distance.rms(last.signs, estimated);
+  }
+
+  const EncodeOptions& options_;
+  const int octaves_;
+  int number_ = 0;  // of the isovalue in work
+  Source<D>* source_;
+  Knowledge<D> known_;
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,151 @@
+#include "displacement_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "displacement_coder.h"
+#include "octave.h"
+#include "sign_fields.h"
+#include "traversal.h"
+
+namespace isostar {
+namespace {
+
+/// Steps that depend on place and block only.
+struct ScatteredSteps : NoScalars {
+  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const {
+    const std::size_t n = place * 131 + block * 17;
+    return n % 3 == 0 ? static_cast<int>(n % 9) - 4 : 0;
+  }
+};
+
+template <int D>
+void hearsWhatIsTold(const Coordinates<D>& box) {
+  const Lattice<D> lattice(box, 1);
+  for (const auto& field : signFields<D>(box)) {
+    const auto signs = DenseSigns<D>(lattice, field.positive).bricks();
+    const auto active = activeBricks(signs);
+    DisplacementCoder<D> mine, theirs;
+    Displacements<D> told(active.size()), heard(active.size());
+    for (const DisplacementPass& pass : {DisplacementPass{3, 20}, {2, 12}, {1, 12}, {1, 3}, {2, 1}}) {
+      const auto bytes = isostar::told<D>(signs, ScatteredSteps(), [&](auto& ask) { mine.tell(ask, signs, told, pass, active); });
+      RangeDecoder coder(bytes);
+      BlindExchange<D> ask(coder, 8, UINT64_MAX);
+      theirs.tell(ask, signs, heard, pass, active);
+      ASSERT_FALSE(ask.spent()) << field.name;
+      for (std::size_t place = 0; place < active.size(); ++place) ASSERT_EQ(told.at(place), heard.at(place)) << field.name;
+    }
+  }
+}
+
+TEST(Displacement, isHeardAsTold) {
+  hearsWhatIsTold<2>({40, 23});
+  hearsWhatIsTold<3>({20, 17, 9});
+  hearsWhatIsTold<4>({9, 6, 10, 8});
+}
+
+TEST(Displacement, endsWhereTheBytesEnd) {
+  const auto signs = DenseSigns<3>(Lattice<3>({30, 30, 30}, 1), signFields<3>({30, 30, 30}).front().positive).bricks();
+  const auto active = activeBricks(signs);
+  DisplacementCoder<3> coder;
+  Displacements<3> told(active.size());
+  RangeDecoder nothing({});
+  BlindExchange<3> ask(nothing, 0, UINT64_MAX);
+  coder.tell(ask, signs, told, {1, 1}, active);
+  EXPECT_TRUE(ask.spent());
+}
+
+/// Samples of a function in 33³.
+std::vector<float> sampled(double (*f)(double, double, double)) {
+  std::vector<float> samples;
+  for (int z = 0; z < 33; ++z) {
+    for (int y = 0; y < 33; ++y) {
+      for (int x = 0; x < 33; ++x) samples.push_back(static_cast<float>(f(x, y, z)));
+    }
+  }
+  return samples;
+}
+
+/// The error that is left after cubes of 4 and of 2 vertices, of what the signs alone leave.
+double left(double (*f)(double, double, double), Kernel kernel) {
+  const auto samples = sampled(f);
+  const GridField<3> field(samples, {33, 33, 33}, 0);
+  const auto signs = field.signs();
+  const auto active = activeBricks(signs);
+  const DisplacementPlan<3> plan(field, signs, active, kernel);
+  const double first = plan.error({});
+  Displacements<3> reached;
+  for (const DisplacementPass& pass : {DisplacementPass{2, 12}, {1, 12}, {1, 3}}) reached = plan.next(reached, pass).reached;
+  return plan.error(reached) / first;
+}
+
+TEST(Displacement, findsWhatSignsLeaveOpen) {
+  for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
+    EXPECT_LT(left([](double, double, double z) { return z - 15.85; }, kernel), 0.1);
+    EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, kernel), 0.7);
+  }
+}
+
+TEST(Displacement, whatIsPlannedIsWhatIsTold) {
+  const auto samples = sampled([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); });
+  const GridField<3> field(samples, {33, 33, 33}, 0);
+  const auto signs = field.signs();
+  const auto active = activeBricks(signs);
+  const DisplacementPlan<3> plan(field, signs, active, Kernel::Wide);
+  struct Planned : NoScalars {
+    [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return steps.at(place)[block]; }
+    Displacements<3> steps;
+  } planned;
+  DisplacementCoder<3> coder;
+  Displacements<3> told(active.size());
+  for (const DisplacementPass& pass : {DisplacementPass{2, 12}, {1, 12}, {1, 6}}) {
+    auto next = plan.next(told, pass);
+    planned.steps = std::move(next.steps);
+    (void)isostar::told<3>(signs, planned, [&](auto& ask) { coder.tell(ask, signs, told, pass, active); });
+    for (std::size_t place = 0; place < active.size(); ++place) {
+      if (active[place] != 0) {
+        ASSERT_EQ(told.at(place), next.reached.at(place));
+      }
+    }
+  }
+}
+
+TEST(Displacement, isSmoothBetweenBlocks) {
+  const Lattice<3> lattice({23, 23, 23}, 1);
+  const BrickTable<3> table(lattice);
+  Displacements<3> displacements(table.total());
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    auto& brick = displacements.writable(place);
+    for (std::size_t block = 0; block < brick.size(); ++block) {
+      brick[block] = (place + block) % 5 == 0 ? Displacements<3>::kNone : static_cast<int8_t>(static_cast<int>(place * 64 + block) * 37 % 255 - 127);
+    }
+  }
+  DisplacementWindow<3> window;
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    window.load(displacements, table, table.brick(place));
+    window.spread();
+    for (std::size_t r = 0; r < 64; ++r) {
+      for (int x = 0; x < 8; ++x) {
+        const int32_t slow = window.smooth({x, static_cast<int32_t>(r % 8), static_cast<int32_t>(r / 8)});
+        ASSERT_NEAR(window.at(r, x), slow, 2 + std::abs(slow) / 256);
+      }
+    }
+  }
+}
+
+TEST(Shape, aPlaneHasTheSameSlopeInEachKernel) {
+  const auto signs = DenseSigns<3>(Lattice<3>({23, 23, 23}, 1), [](const auto& v) { return v[0] > 11; }).bricks();
+  Window<3> window;
+  window.load(signs, {1, 1, 1});
+  std::array<double, 3> slopes{};
+  for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
+    ShapeEstimate<3> shapes(kernel);
+    shapes.load(window);
+    slopes[static_cast<std::size_t>(kernel)] = shapes.sum(27, 4) - shapes.sum(27, 3);  // across the plane
+  }
+  for (const double slope : slopes) EXPECT_NEAR(slope, slopes[2], 0.01 * slopes[2]);
+}
+
+}  // namespace
+}  // namespace isostar
