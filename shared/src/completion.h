@@ -13,7 +13,7 @@ namespace isostar {
 /// Gives every vertex of a class in the active bricks a value; known ones stay. Values count 2^-finer half quanta: where a
 /// quantum is a large part of a step, estimates need more.
 template <int D>
-void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars,
+[[gnu::noinline]] void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars,
                      const Hints<D>& hints = {}) {
   constexpr int kPlainGradient = 4 * 12;  // where nothing has been told: any will do, only ratios show
   const Scalars<D> known = scalars;

@@ -15,7 +15,7 @@ class DisplacementWindow {
   /// Of a block of the brick.
   static int index(std::size_t block) { return kIndex[block]; }
 
-  void load(const Values& displacements, const BrickTable<D>& table, const Coordinates<D>& brick) {
+  [[gnu::noinline]] void load(const Values& displacements, const BrickTable<D>& table, const Coordinates<D>& brick) {
     std::array<const int8_t*, power(3, D)> near;
     for (std::size_t n = 0; n < near.size(); ++n) {
       std::size_t place = 0, digits = n;
@@ -38,7 +38,7 @@ class DisplacementWindow {
   }
 
   /// Makes at() ready.
-  void spread() {
+  [[gnu::noinline]] void spread() {
     std::array<int32_t, power(kSide, D)> blocks;
     for (std::size_t i = 0; i < value.size(); ++i) blocks[i] = value[i] == Values::kNone ? 0 : value[i] * kSum + 1;
     interpolate(blocks.data());

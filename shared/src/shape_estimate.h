@@ -68,7 +68,7 @@ class ShapeEstimate {
   }
 
   /// Four vertices from the eight signs around them.
-  void tabulate() {
+  [[gnu::noinline]] void tabulate() {
     const std::array<int, 5> weights{far_, beside_, own_, beside_, far_};
     for (unsigned signs = 0; signs < 256; ++signs) {
       for (unsigned x = 0; x < 4; ++x) {
