@@ -42,7 +42,7 @@ class AdaptiveMesh {
     absent_.push_back(std::move(absent));
   }
 
-  Kernel kernel = Kernel::Middle;  // places the surface where no scalars are known
+  Kernel kernel = Kernel::Middle, coarserKernel = Kernel::Middle;  // place the last octave's surface where no scalars are known, and others'
 
   [[nodiscard]] int level() const { return static_cast<int>(signs_.size()) - 1; }
   /// Octaves whose scalars have been told.
@@ -249,7 +249,7 @@ class AdaptiveMesh {
   /// are better estimated on finer octaves.
   ISOSTAR_SELDOM void estimate(int level, int finer, AdaptiveOctave<D>& octave) const {
     const Scalars<D> before = octave.scalars;
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars, {kernel});
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars, {level == this->level() ? kernel : coarserKernel});
     if (level == this->level()) return;
     const auto& table = octave.signs.table();
     for (std::size_t place = 0; place < table.total(); ++place) {

@@ -39,7 +39,9 @@ template <int D>
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
       const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, steps, displaced.at(r, x));
-      const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(guess.magnitude, steps.eighth()), INT32_MAX / 2));
+      // Beside known scalars in their ratio to what signs and displacements say of them, or an edge between both would be torn.
+      const int64_t magnitude = guess.confidence == 0 ? guess.magnitude : guess.own * (guess.other + guess.same) / std::max<int64_t>(guess.theirs, (guess.others + guess.sames) * 2000);
+      const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(magnitude, steps.eighth()), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });
   }

@@ -55,11 +55,24 @@ std::size_t cubeOf(std::size_t block, int log2Side) {
   return corner;
 }
 
+/// Of a vertex in a brick, or of one next to it.
+template <int D>
+int32_t displacementAt(const DisplacementWindow<D>& displaced, const std::type_identity_t<Coordinates<D>>& brick, std::type_identity_t<Coordinates<D>> vertex) {
+  std::size_t number = 0;
+  bool inside = true;
+  for (int a = D - 1; a >= 0; --a) {
+    vertex[a] -= brick[a] * kBrickSide;
+    inside = inside && vertex[a] < kBrickSide;
+    number = number * kBrickSide + static_cast<std::size_t>(vertex[a]);
+  }
+  return inside ? displaced.at(number / kBrickSide, static_cast<int>(number % kBrickSide)) : displaced.smooth(vertex);
+}
+
 }  // namespace
 
 template <int D>
 DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel)
-    : field_(field), signs_(signs), active_(active), estimates_(active.size()), blocks_(active.size()) {
+    : signs_(signs), active_(active), estimates_(active.size()), blocks_(active.size()) {
   Tube<D> tube;
   ShapeEstimate<D> shapes(kernel);
   for (std::size_t place = 0; place < active.size(); ++place) {
@@ -72,6 +85,13 @@ DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>&
     auto& blocks = blocks_.writable(place);
     tube.forEach(true, [&](int, std::size_t r, int x) { blocks[Displacements<D>::block(r, x)] = 1; });
   }
+  forCrossedRows(signs, active, false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+    for (; crossed != 0; crossed &= crossed - 1) {
+      const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+      const double even = field.scalar(ends.even), at = even / (even - field.scalar(ends.odd));
+      crossings_.push_back(static_cast<float>(even > 0 ? at : -1 - at));
+    }
+  });
 }
 
 template <int D>
@@ -79,25 +99,29 @@ template <class Visit>
 void DisplacementPlan<D>::forEachError(const Displacements<D>& told, Visit visit) const {
   constexpr double kSlope = Displacements<D>::kPlaneSlope, kLeast = kSlope / 8;  // as completion.h has it
   const auto& table = signs_.table();
+  const bool displaces = told.places() != 0;
   ScalarWindow<D> window;
   DisplacementWindow<D> displaced;
+  auto crossing = crossings_.begin();
   forCrossedRows(
       signs_, active_, false,
       [&](std::size_t place) {
         window.load(estimates_, table, table.brick(place));
-        if (told.places() != 0) displaced.load(told, table, table.brick(place));
+        if (!displaces) return;
+        displaced.load(told, table, table.brick(place));
+        displaced.spread();
       },
       [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-        for (; crossed != 0; crossed &= crossed - 1) {
+        for (; crossed != 0; crossed &= crossed - 1, ++crossing) {
           const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-          const double even = field_.scalar(ends.even), odd = field_.scalar(ends.odd), side = even > 0 ? 1 : -1;
-          const auto shown = [&](Coordinates<D> vertex, int at, double sign) {
-            for (int a = 0; a < D; ++a) vertex[a] -= brick[a] * kBrickSide;
-            const int32_t estimate = window.value[static_cast<std::size_t>(at)] - (told.places() == 0 ? 0 : displaced.smooth(vertex));
+          const bool positive = *crossing >= 0;
+          const double side = positive ? 1 : -1, at = positive ? *crossing : -1 - *crossing;
+          const auto shown = [&](const Coordinates<D>& vertex, int place, double sign) {
+            const int32_t estimate = window.value[static_cast<std::size_t>(place)] - (displaces ? displacementAt<D>(displaced, brick, vertex) : 0);
             return std::max(sign * estimate, kLeast);
           };
           const double a = shown(ends.even, ends.evenAt, side), b = shown(ends.odd, ends.oddAt, -side);
-          visit(even > 0 ? ends.even : ends.odd, side * (a - even / (even - odd) * (a + b)) / kSlope);
+          visit(positive ? ends.even : ends.odd, side * (a - at * (a + b)) / kSlope);
         }
       });
 }

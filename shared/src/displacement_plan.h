@@ -12,7 +12,7 @@ namespace isostar {
 template <int D>
 class DisplacementPlan {
  public:
-  /// All are borrowed; `active` as of activeBricks(signs).
+  /// Signs and bricks are borrowed; `active` as of activeBricks(signs).
   DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel);
 
   struct Next {
@@ -33,11 +33,11 @@ class DisplacementPlan {
   /// Adds a pass to what has been told.
   [[nodiscard]] Displacements<D> reached(const Displacements<D>& told, const Displacements<D>& steps, const DisplacementPass& pass) const;
 
-  const GridField<D>& field_;
   const Signs<D>& signs_;
   const std::vector<uint8_t>& active_;
-  Scalars<D> estimates_;    // of a ShapeEstimate, at the ends of crossing axis edges
-  Displacements<D> blocks_;  // 1 where a block has a positive end of one
+  Scalars<D> estimates_;          // of a ShapeEstimate, at the ends of crossing axis edges
+  std::vector<float> crossings_;  // where each edge is crossed, from its even end, 0 … 1; -1 less that if the even end is negative
+  Displacements<D> blocks_;       // 1 where a block has a positive end of one
 };
 
 }  // namespace isostar

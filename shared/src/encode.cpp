@@ -68,13 +68,13 @@ void tellGeometry(LayerWriter<D>& layers, const Header& header) {
 template <int D>
 void tellDisplacements(LayerWriter<D>& layers, const Header& header) {
   constexpr std::array<DisplacementPass, 3> kPasses{{{2, 12}, {1, 12}, {1, 6}}};
-  constexpr double kPays = 0.835;      // so much of the error is left
+  constexpr double kNear = 0.09, kPays = 0.835;  // grid steps before the last pass, and so much of that is left
   constexpr uint64_t kFewest = 1000;  // vertices: below that a layer's head takes too large a part
   if (header.vertices < kFewest) return;
   const DisplacementPlan<D> plan = layers.displacementPlan();
   for (const DisplacementPass& pass : kPasses) {
     auto next = plan.next(layers.displacements(), pass);
-    if (&pass == &kPasses.back() && plan.error(next.reached) > kPays * next.error) return;
+    if (&pass == &kPasses.back() && (next.error > kNear || plan.error(next.reached) > kPays * next.error)) return;
     layers.displace(pass, std::move(next.steps));
   }
 }

@@ -1,6 +1,8 @@
 // Tells layers: the encoder's half of the traversal.
 #pragma once
 
+#include <limits>
+
 #include "encode_topology.h"
 #include "isostar/isostar.h"
 #include "layers.h"
@@ -26,11 +28,12 @@ class LayerWriter {
         whole = wholeCells(known_.header, coarse);
       }
     }
+    const Kernel kernel = finestKernel();
     for (int level = 0; level <= octaves_; ++level) {
       const Signs<D>& truth = level < octaves_ ? coarse[static_cast<std::size_t>(level)] : finest;
       tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
         ask.follow(coarse, whole);
-        if (level > 0) ask.see(kernelFor(truth));
+        ask.see(kernelOf(level, kernel));
         if (level == 0) known_.base(ask);
         else known_.refine(ask);
       });
@@ -98,15 +101,20 @@ class LayerWriter {
     append(bytes_, head, layer);
   }
 
-  /// The kernel that places an octave's surface best.
-  [[nodiscard]] Kernel kernelFor(const Signs<D>& octave) const {
+  /// The kernel that places the finest octave's surface best.
+  [[nodiscard]] Kernel finestKernel() const {
     Kernel best = Kernel::Narrow;
-    double least = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
-      const double error = &octave == &source_->signs() ? source_->distance().rms(octave, {}, {kernel}) : source_->distance().rms(octave, kernel);
-      if (kernel == Kernel::Narrow || error < least) best = kernel, least = error;
+      const double error = source_->distance().rms(source_->signs(), {}, {kernel});
+      if (error < least) best = kernel, least = error;
     }
     return best;
+  }
+  /// That of another octave: coarser ones are less smooth.
+  [[nodiscard]] Kernel kernelOf(int level, Kernel finest) const {
+    if (level == octaves_) return finest;
+    return level == octaves_ - 1 && finest == Kernel::Wide ? Kernel::Middle : Kernel::Narrow;
   }
 
   [[nodiscard]] double rms() const {

@@ -136,6 +136,7 @@ struct Knowledge {
     Signs<D> untold = refinement.untold(unfinished);
     partial.emplace(std::move(signs), std::move(unfinished), std::move(untold));
     partial->kernel = unfinishedKernel;
+    partial->coarserKernel = kernel;
   }
   /// Bytes that this takes at most.
   [[nodiscard]] uint64_t memoryToKeepUnfinished() const {
