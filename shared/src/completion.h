@@ -3,10 +3,11 @@
 
 #include "displacement_window.h"
 #include "hints.h"
+#include "isostar/isostar.h"
 #include "octave.h"
 #include "prediction.h"
+#include "seldom.h"
 #include "tube.h"
-#include "isostar/isostar.h"
 
 namespace isostar {
 
@@ -53,7 +54,7 @@ struct Completed {
   Scalars<D> scalars;
   int finer;  // values count 2^-finer half quanta
 
-  Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints)
+  ISOSTAR_SELDOM Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints)
       : scalars(known), finer(scalars.magnify()) {
     estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
     if (polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);

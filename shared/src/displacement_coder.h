@@ -3,6 +3,7 @@
 
 #include "displacement_window.h"
 #include "exchange.h"
+#include "seldom.h"
 
 namespace isostar {
 
@@ -11,7 +12,7 @@ namespace isostar {
 template <int D>
 class DisplacementCoder {
  public:
-  DisplacementCoder() { weights_.fill(Mixer<kInputs>::fresh()); }
+  ISOSTAR_SELDOM DisplacementCoder() { weights_.fill(Mixer<kInputs>::fresh()); }
 
   template <class Exchange>
   void tell(Exchange& ask, const Signs<D>& signs, Displacements<D>& displacements, const DisplacementPass& pass, const std::vector<uint8_t>& active) {
@@ -48,7 +49,7 @@ class DisplacementCoder {
   }
 
   /// The blocks with a positive end of a crossing axis edge; a pass before has found them, too.
-  void findMembers(const Signs<D>& signs, const Values& displacements, std::size_t place) {
+  ISOSTAR_SELDOM void findMembers(const Signs<D>& signs, const Values& displacements, std::size_t place) {
     if (displacements.has(place)) {
       const auto& own = displacements.at(place);
       for (std::size_t block = 0; block < own.size(); ++block) members_[block] = own[block] != Values::kNone;
@@ -86,7 +87,7 @@ class DisplacementCoder {
   };
 
   template <class Exchange>
-  void cube(Exchange& ask, typename Values::Brick& own, std::size_t place, const Coordinates<D>& first, int side, int step) {
+  ISOSTAR_SELDOM void cube(Exchange& ask, typename Values::Brick& own, std::size_t place, const Coordinates<D>& first, int side, int step) {
     std::size_t corner = 0;
     for (int a = D - 1; a >= 0; --a) corner = corner * Values::kSide + static_cast<std::size_t>(first[a]);
     int members = 0, sum = 0;

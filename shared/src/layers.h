@@ -44,7 +44,7 @@ struct GeometryPass {
     for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) out.varint(allowed[axes]);
   }
   /// False where a field is out of its range.
-  [[nodiscard]] bool read(ByteReader& in) {
+  [[nodiscard]] ISOSTAR_SELDOM bool read(ByteReader& in) {
     const uint32_t first = in.u8();
     if (kind == LayerKind::Displacement) {
       displacement = {static_cast<int>(first & 3), static_cast<int>(first >> 2)};
@@ -113,7 +113,7 @@ struct Knowledge {
 
   /// Which kernel places the octave's surface best.
   template <class Exchange>
-  [[nodiscard]] Kernel tellKernel(Exchange& ask) {
+  [[nodiscard]] ISOSTAR_SELDOM Kernel tellKernel(Exchange& ask) {
     const Kernel truth = ask.kernel();
     if (kernelModel[0].bit(ask.coder(), truth == Kernel::Narrow)) return Kernel::Narrow;
     return kernelModel[1].bit(ask.coder(), truth == Kernel::Middle) ? Kernel::Middle : Kernel::Wide;
@@ -131,7 +131,7 @@ struct Knowledge {
   }
 
   /// Takes an octave that has been told in part, the stream being at its end, for what it is.
-  void keepUnfinished() {
+  ISOSTAR_SELDOM void keepUnfinished() {
     if (!refinement.began()) return;
     Signs<D> untold = refinement.untold(unfinished);
     partial.emplace(std::move(signs), std::move(unfinished), std::move(untold));

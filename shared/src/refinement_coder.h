@@ -57,7 +57,7 @@ class RefinementCoder {
   }
 
   /// Of an octave that has been told in part: the fresh vertices near the surface that have not.
-  [[nodiscard]] Signs<D> untold(const Signs<D>& signs) const {
+  [[nodiscard]] ISOSTAR_SELDOM Signs<D> untold(const Signs<D>& signs) const {
     Signs<D> result(signs.lattice());
     const std::size_t slab = signs.table().stride(D - 1);
     for (std::size_t place = 0; place < active_.size(); ++place) {
@@ -121,7 +121,7 @@ class RefinementCoder {
 
   /// Calls visit(v, on how many axes it is fresh) for the fresh vertices of a brick.
   template <class Visit>
-  static void forEachFresh(const Lattice<D>& lattice, const Coordinates<D>& brick, Visit visit) {
+  ISOSTAR_SELDOM static void forEachFresh(const Lattice<D>& lattice, const Coordinates<D>& brick, Visit visit) {
     Coordinates<D> low, high;
     for (int a = 0; a < D; ++a) {
       low[a] = brick[a] * kBrickSide;

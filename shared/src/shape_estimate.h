@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "seldom.h"
 #include "window.h"
 
 namespace isostar {
@@ -68,7 +69,7 @@ class ShapeEstimate {
   }
 
   /// Four vertices from the eight signs around them.
-  [[gnu::noinline]] void tabulate() {
+  [[gnu::noinline]] ISOSTAR_SELDOM void tabulate() {
     const std::array<int, 5> weights{far_, beside_, own_, beside_, far_};
     for (unsigned signs = 0; signs < 256; ++signs) {
       for (unsigned x = 0; x < 4; ++x) {
