@@ -16,6 +16,7 @@ namespace isostar {
 template <int D>
 [[gnu::noinline]] void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars,
                      const Hints<D>& hints = {}) {
+  constexpr int64_t kShallowest = 2000;   // of a neighbour's estimate: a third of a step; nearer ones would tear as well
   constexpr int kPlainGradient = 4 * 12;  // where nothing has been told: any will do, only ratios show
   const Scalars<D> known = scalars;
   Tube<D> tube;
@@ -41,7 +42,8 @@ template <int D>
       if (brick.knows(v)) return;
       const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, steps, displaced.at(r, x));
       // Beside known scalars in their ratio to what signs and displacements say of them, or an edge between both would be torn.
-      const int64_t magnitude = guess.confidence == 0 ? guess.magnitude : guess.own * (guess.other + guess.same) / std::max<int64_t>(guess.theirs, (guess.others + guess.sames) * 2000);
+      const int64_t theirs = std::max(guess.theirs, (guess.others + guess.sames) * kShallowest);
+      const int64_t magnitude = guess.confidence == 0 ? guess.magnitude : guess.own * (guess.other + guess.same) / theirs;
       const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(magnitude, steps.eighth()), INT32_MAX / 2));
       brick.value[v] = tube.positive(row, x) ? value : -value;
     });

@@ -168,13 +168,12 @@ typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements
     }
     means.at(place, cubeOf<D>(block, pass.log2Side)).add(error);
   });
-  Next next{Displacements<D>(active_.size()), {}, edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};
+  Next next{Displacements<D>(active_.size()), edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};
   for (std::size_t place = 0; place < active_.size(); ++place) {
     const auto* of = means.find(place);
     if (of == nullptr) continue;
     std::transform(of->begin(), of->end(), next.steps.writable(place).begin(), [&](const Mean& mean) { return mean.steps(step); });
   }
-  next.reached = reached(told, next.steps, pass);
   return next;
 }
 

@@ -16,22 +16,21 @@ class DisplacementPlan {
   DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel);
 
   struct Next {
-    Displacements<D> steps;    // of the pass: for each cube the mean over the edges with their positive end in it, at the block at
-                               // its lower corner
-    Displacements<D> reached;  // what will have been told after it
-    double error;              // before it
+    Displacements<D> steps;  // of the pass: for each cube the mean over the edges with their positive end in it, at the block at
+                             // its lower corner
+    double error;            // before it
   };
   /// RMS distance across the surface on crossed axis edges, grid steps.
   [[nodiscard]] double error(const Displacements<D>& told) const;
   /// What a pass should add to what has been told.
   [[nodiscard]] Next next(const Displacements<D>& told, const DisplacementPass& pass) const;
+  /// What will have been told after a pass with such steps.
+  [[nodiscard]] Displacements<D> reached(const Displacements<D>& told, const Displacements<D>& steps, const DisplacementPass& pass) const;
 
  private:
   /// Calls visit(positive end, by how many steps the surface lies too near to it) for each crossing axis edge.
   template <class Visit>
   void forEachError(const Displacements<D>& told, Visit visit) const;
-  /// Adds a pass to what has been told.
-  [[nodiscard]] Displacements<D> reached(const Displacements<D>& told, const Displacements<D>& steps, const DisplacementPass& pass) const;
 
   const Signs<D>& signs_;
   const std::vector<uint8_t>& active_;

@@ -2,39 +2,21 @@
 #pragma once
 
 #include "displacements.h"
+#include "halo_window.h"
 
 namespace isostar {
 
 template <int D>
-class DisplacementWindow {
+class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide> {
  public:
   using Values = Displacements<D>;
-  static constexpr int kSide = Values::kSide + 2;
+  using DisplacementWindow::HaloWindow::kSide, DisplacementWindow::HaloWindow::stride, DisplacementWindow::HaloWindow::value;
 
-  static constexpr int stride(int axis) { return static_cast<int>(power(kSide, axis)); }
   /// Of a block of the brick.
   static int index(std::size_t block) { return kIndex[block]; }
 
   [[gnu::noinline]] void load(const Values& displacements, const BrickTable<D>& table, const Coordinates<D>& brick) {
-    std::array<const int8_t*, power(3, D)> near;
-    for (std::size_t n = 0; n < near.size(); ++n) {
-      std::size_t place = 0, digits = n;
-      bool inside = true;
-      for (int a = 0; a < D; ++a, digits /= 3) {
-        const int32_t at = brick[a] + static_cast<int32_t>(digits % 3) - 1;
-        inside = inside && at >= 0 && at < table.count(a);
-        place += static_cast<std::size_t>(at) * table.stride(a);
-      }
-      near[n] = (inside ? displacements.at(place) : displacements.nothing()).data();
-    }
-    for (std::size_t i = 0; i < kSources.size(); ++i) {
-      const int8_t* const* const source = &near[kSources[i].near];
-      const std::size_t row = kSources[i].row;
-      int8_t* out = &value[i * kSide];
-      out[0] = source[0][row + Values::kSide - 1];
-      std::copy_n(source[1] + row, Values::kSide, out + 1);
-      out[kSide - 1] = source[2][row];
-    }
+    this->gather(table, brick, displacements.nothing().data(), [&](std::size_t place) { return displacements.at(place).data(); });
   }
 
   /// Makes at() ready.
@@ -74,29 +56,7 @@ class DisplacementWindow {
     return weights == 0 ? 0 : sum * Values::kPlaneSlope / (weights * Values::kPerStep);
   }
 
-  std::array<int8_t, power(kSide, D)> value;
-
  private:
-  /// Where a row of the window comes from: the first of three bricks in a row, and the first block in each.
-  struct Source {
-    uint16_t near = 0, row = 0;
-  };
-  static constexpr std::array<Source, power(kSide, D - 1)> kSources = [] {
-    std::array<Source, power(kSide, D - 1)> sources{};
-    std::array<int, D> v{};
-    v.fill(-1);
-    for (Source& source : sources) {
-      std::size_t n = 0, row = 0;
-      for (int a = D - 1; a >= 1; --a) {
-        n = n * 3 + static_cast<std::size_t>((v[a] + Values::kSide) / Values::kSide);
-        row = row * Values::kSide + static_cast<std::size_t>(v[a] & (Values::kSide - 1));
-      }
-      source = {static_cast<uint16_t>(n * 3), static_cast<uint16_t>(row * Values::kSide)};
-      for (int a = 1; a < D && ++v[a] == Values::kSide + 1; ++a) v[a] = -1;
-    }
-    return sources;
-  }();
-
   static constexpr std::array<int16_t, Values::kBlocks> kIndex = [] {
     std::array<int16_t, Values::kBlocks> index{};
     for (std::size_t block = 0; block < index.size(); ++block) {

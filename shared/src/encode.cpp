@@ -74,7 +74,7 @@ void tellDisplacements(LayerWriter<D>& layers, const Header& header) {
   const DisplacementPlan<D> plan = layers.displacementPlan();
   for (const DisplacementPass& pass : kPasses) {
     auto next = plan.next(layers.displacements(), pass);
-    if (&pass == &kPasses.back() && (next.error > kNear || plan.error(next.reached) > kPays * next.error)) return;
+    if (&pass == &kPasses.back() && (next.error > kNear || plan.error(plan.reached(layers.displacements(), next.steps, pass)) > kPays * next.error)) return;
     layers.displace(pass, std::move(next.steps));
   }
 }
