@@ -87,6 +87,12 @@ class RawDecoder {
 
 }  // namespace
 
+/// Embind prints the addresses of types that have no names, for its errors: ours all have one, and a page need not load printf.
+extern "C" int __wrap_siprintf(char* out, const char*, ...) {
+  *out = '\0';
+  return 0;
+}
+
 EMSCRIPTEN_BINDINGS(isostar) {
   emscripten::enum_<isostar::Polygonizer>("Polygonizer")
       .value("cubes", isostar::Polygonizer::Cubes)
