@@ -20,7 +20,7 @@ const char* kindName(LayerKind kind) {
 
 StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   StreamInfo info;
-  info.version = kFormatVersion;
+  info.version = h.version;
   info.dimension = h.dimension;
   std::copy_n(h.size.begin(), 3, info.size.begin());
   info.frames = h.size[3];
@@ -178,7 +178,7 @@ void Decoder::feed(std::span<const std::byte> bytes) { state_->feed(bytes); }
 void Decoder::finish() { state_->finished = true; }
 bool Decoder::advance() { return state_->advance(); }
 Error Decoder::error() const { return state_->error; }
-bool Decoder::ready() const { return state_->header.has_value(); }
+bool Decoder::ready() const { return state_->known != nullptr; }
 const StreamInfo& Decoder::info() const { return state_->info; }
 int Decoder::level() const { return state_->known ? state_->known->level() : -1; }
 int Decoder::levels() const { return state_->header ? state_->header->octaves() + 1 : 0; }

@@ -170,7 +170,7 @@ void write(ByteWriter& out, const Header& h) {
                          (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
-  w.u8(kBinary | static_cast<uint32_t>(kFormatVersion) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
+  w.u8(kBinary | static_cast<uint32_t>(h.version) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
   w.varint(flags);
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) w.varint(static_cast<uint64_t>(h.size[a]));
   w.real(h.isovalue);
@@ -217,6 +217,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (version > kFormatVersion) return Error::UnsupportedVersion;
   if (version == 0) return Error::Corrupt;
   Header h;
+  h.version = static_cast<int>(version);
   h.dimension = static_cast<int>(first & 3) + kLeastDimension;
   if (h.dimension > kMostDimension) return Error::UnsupportedVersion;
   const uint64_t flags = r.varint();

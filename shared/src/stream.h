@@ -14,6 +14,7 @@ inline constexpr int kLeastDimension = 2, kMostDimension = 4;
 
 /// What a decoder must know before the first layer.
 struct Header {
+  int version = kFormatVersion;
   int dimension = 3;           // 2: an image; 3: a volume; 4: a sequence of volumes, time last
   Coordinates<4> size{};       // of the first `dimension` axes
   Placement placement;         // of the first three axes; an image's third spacing is its smallest

@@ -67,6 +67,7 @@ inline std::vector<GoldenSource> goldenSources() {
   options.lossless = false;
   options.near = {0.4, -0.3};
   sources.push_back(golden::of(sampled("near", cube, torus(cube)), options));
+  sources.push_back(golden::of(within(halfSpace({0.6, 0.48, 0.64}, 12.7), sampled("trimmed", cube, sphere(cube))), {}));
   options = golden::withBound(0.4);
   options.adaptive = true;
   sources.push_back(golden::of(sampled("adaptive", large, sphere(large, 0.4)), options));

@@ -132,7 +132,7 @@ struct LayerInfo {
 
 /// What the header and the layers' own heads tell, without decoding.
 struct StreamInfo {
-  int version = 0;
+  int version = 0;               // of the format, 1 … kFormatVersion
   int dimension = 3;             // 2: an image's contours; 3: a volume's surface; 4: a sequence's surface
   std::array<int32_t, 3> size{}; // an image's third is 1
   int32_t frames = 1;            // of a sequence
@@ -181,7 +181,7 @@ class Decoder {
   /// The first error stays; Truncated only after finish(). advance() is false from then on; mesh() still shows what was sound.
   [[nodiscard]] Error error() const;
 
-  [[nodiscard]] bool ready() const;        // the header has arrived; a surface, maybe empty, can be made
+  [[nodiscard]] bool ready() const;        // the header has arrived, and this build reads such streams; a surface, maybe empty, can be made
   [[nodiscard]] const StreamInfo& info() const;  // header as far as it has arrived; layers so far decoded
   [[nodiscard]] int level() const;         // the octave that mesh() shows, -1 before the first
   [[nodiscard]] int levels() const;        // how many octaves the stream has, 0 before its header has arrived
