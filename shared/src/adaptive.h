@@ -33,9 +33,9 @@ struct AdaptiveOctave {
 template <int D>
 class AdaptiveMesh {
  public:
-  explicit AdaptiveMesh(const Lattice<D>& base) : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)) {}
+  explicit AdaptiveMesh(const Lattice<D>& base) : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)), coders_(std::in_place) {}
 
-  /// Of an octave without absent vertices and the next one, to show what is known of it.
+  /// Of an octave without absent vertices and the next one, to show what is known of it: no more of it can be told.
   AdaptiveMesh(Signs<D> coarse, Signs<D> fine, Signs<D> absent) : absent_(1, Signs<D>(coarse.lattice())) {
     signs_.push_back(std::move(coarse));
     signs_.push_back(std::move(fine));
@@ -52,7 +52,7 @@ class AdaptiveMesh {
   [[nodiscard]] const Signs<D>& absent(int level) const { return absent_[static_cast<std::size_t>(level)]; }
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
-    uint64_t sum = refinement_.memory() + filling_.memory();
+    uint64_t sum = coders_ ? coders_->refinement.memory() + coders_->filling.memory() : 0;
     for (const auto& s : signs_) sum += s.memory();
     for (const auto& s : absent_) sum += s.memory();
     for (const auto& o : octaves_) sum += o.memory();
@@ -63,6 +63,14 @@ class AdaptiveMesh {
     const BrickTable<D> finer(lattice().finer());
     const uint64_t places = finer.total();
     return 2 * places + Signs<D>::memoryToFill(places, mostRefinedBricks(signs_.back(), finer)) + Signs<D>::memoryToFill(places, uint64_t{absent_.back().brickCount()} << D);
+  }
+  /// The same to fill an octave: vertices that were absent may need bricks of their own, on finer octaves, too.
+  [[nodiscard]] uint64_t memoryToFill(int level) const {
+    uint64_t sum = 0;
+    for (auto o = static_cast<std::size_t>(level); o < signs_.size(); ++o) {
+      sum += Signs<D>::memoryToFill(signs_[o].table().total(), uint64_t{signs_[o].brickCount()} + absent_[o].brickCount());
+    }
+    return sum;
   }
   /// The same for the next octave's scalars.
   [[nodiscard]] uint64_t memoryToTell() const { return told() > level() ? 0 : memoryForNext(octaves_.empty() ? nullptr : &octaves_.back(), told()); }
@@ -76,7 +84,7 @@ class AdaptiveMesh {
   template <class Exchange>
   ISOSTAR_SELDOM void refine(Exchange& ask) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
-    refinement_.tell(ask, fine, &absent);
+    coders_->refinement.tell(ask, fine, &absent);
     if (ask.spent()) return;  // the octave stays as it was
     signs_.push_back(std::move(fine));
     absent_.push_back(std::move(absent));
@@ -106,7 +114,7 @@ class AdaptiveMesh {
       signs.set(v, signs.at(corner));
     });
     ask.hold(memory());
-    for (int dimension = D; dimension >= 1; --dimension) filling_.fill(ask, signs, dimension, absent);
+    for (int dimension = D; dimension >= 1; --dimension) coders_->filling.fill(ask, signs, dimension, absent);
     if (ask.spent()) return;
     absent = Signs<D>(signs.lattice());
     for (int finer = level + 1; finer <= this->level(); ++finer) takeOverFilled(finer);
@@ -122,7 +130,7 @@ class AdaptiveMesh {
     octaves_.push_back(next(octaves_.empty() ? nullptr : &octaves_.back(), told()));
     auto& octave = octaves_.back();
     const int level = told() - 1;
-    octavesCoder_.tell(ask, octave.signs, octave.scalars, Members::AxisEnds, depth, octave.active, [&](Tube<D>& tube) {
+    coders_->octaves.tell(ask, octave.signs, octave.scalars, Members::AxisEnds, depth, octave.active, [&](Tube<D>& tube) {
       if (level < this->level() || polygonizer == Polygonizer::Tetrahedra) tube.addDiagonalEnds(octave.signs);
       tube.keepOnly([&](std::size_t r, int x) { return belongsToLeaf(tube.at(), r, x, level) && !knows(octave.scalars, tube.table(), tube.at(), r, x); });
     });
@@ -130,7 +138,7 @@ class AdaptiveMesh {
   template <class Exchange>
   void tellHalvings(Exchange& ask, const typename HalvingCoder<D>::Pass& pass) {
     auto& octave = octaves_.back();
-    halvingCoder_.tell(ask, octave.signs, octave.scalars, pass, octave.active);
+    coders_->halvings.tell(ask, octave.signs, octave.scalars, pass, octave.active);
   }
 
   /// The octave as it is known, with estimates where nothing has been told yet; nothing if that takes more bytes than given.
@@ -310,9 +318,12 @@ class AdaptiveMesh {
 
   std::vector<Signs<D>> signs_, absent_;  // by octave, as they were told
   std::vector<AdaptiveOctave<D>> octaves_;
-  RefinementCoder<D> refinement_, filling_;
-  OctavesCoder<D> octavesCoder_;
-  HalvingCoder<D> halvingCoder_;
+  struct Coders {
+    RefinementCoder<D> refinement, filling;
+    OctavesCoder<D> octaves;
+    HalvingCoder<D> halvings;
+  };
+  std::optional<Coders> coders_;  // with models of some megabytes
 };
 
 }  // namespace isostar

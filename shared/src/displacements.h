@@ -48,6 +48,8 @@ class Displacements {
 
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return at_.size() * sizeof(uint32_t) + memoryToGrow(bricks_); }
+  /// With the first brick.
+  [[nodiscard]] static uint64_t memoryToBegin(uint64_t places) { return places * sizeof(uint32_t) + 3 * sizeof(Brick); }
 
  private:
   std::vector<uint32_t> at_;  // 0: none

@@ -202,11 +202,16 @@ struct Knowledge {
   /// What it takes to begin the first geometry layer, or the domain's, or to go on.
   [[nodiscard]] uint64_t memoryForScalars() const {
     const std::size_t places = signs.table().total();
-    return scalars.places() == 0 ? memory() + places + Scalars<D>::memoryOf(places, 1) : memory();
+    return memory() + memoryToFindActive() + (scalars.places() == 0 ? Scalars<D>::memoryOf(places, 1) : 0);
   }
+  /// The same for displacements.
+  [[nodiscard]] uint64_t memoryForDisplacements() const {
+    return memory() + memoryToFindActive() + (displacements.places() == 0 ? Displacements<D>::memoryToBegin(signs.table().total()) : 0);
+  }
+  [[nodiscard]] uint64_t memoryToFindActive() const { return active.empty() ? signs.table().total() : 0; }
   /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
   [[nodiscard]] uint64_t memoryToRefine() const {
-    if (partial) return memoryBesideScalars();
+    if (partial) return memoryBesideScalars() + partial->memoryToFill(level + 1);
     const BrickTable<D> finer(signs.lattice().finer());
     return memoryBesideScalars() + finer.total() + Signs<D>::memoryToFill(finer.total(), mostRefinedBricks(signs, finer));
   }

@@ -135,7 +135,8 @@ class ReconstructionIn : public Reconstruction {
     if (layer == LayerKind::Refinement) return {known_.memoryToRefine(), known_.memoryBesideScalars()};
     if (layer == LayerKind::NearSigns) return {all + known_.near.memoryToBegin(known_.first()), all - known_.near.memoryOfIntervals() + known_.signs.table().total()};
     if (layer == LayerKind::NearGeometry) return {all + (pass == LayerKind::Octaves ? known_.near.memoryToTell() : 0), 0};
-    return {known_.memoryForScalars(), known_.memoryBesideScalars()};
+    if (layer == LayerKind::Displacement) return {known_.memoryForDisplacements(), known_.memory() - known_.displacements.memory() + known_.memoryToFindActive()};
+    return {known_.memoryForScalars(), known_.memoryBesideScalars() + known_.memoryToFindActive()};
   }
 
   /// What is known of the surface of one isovalue that has been told.

@@ -10,14 +10,22 @@ namespace {
 
 std::size_t held = 0, most = 0;
 
-}  // namespace
-
-void* operator new(std::size_t size) {
+/// Null where there is no more.
+void* counted(std::size_t size) noexcept {
   void* memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
   held += malloc_usable_size(memory);
   most = std::max(most, held);
   return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  if (void* memory = counted(size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return counted(size);
 }
 void operator delete(void* memory) noexcept {
   if (memory != nullptr) held -= std::min(held, malloc_usable_size(memory));

@@ -2,10 +2,8 @@
 #include <chrono>
 
 #include "allocation.h"
-#include "anatomy.h"
 #include "harmless.h"
-#include "layers.h"
-#include "unit/traversal.h"
+#include "made_up.h"
 
 namespace isostar {
 namespace {
@@ -17,51 +15,17 @@ Header headerOf(const Size& size) {
   return header;
 }
 
-Bytes noiseOf(std::size_t length, uint64_t seed) {
-  std::mt19937_64 random(seed);
-  Bytes bytes(length);
-  for (auto& b : bytes) b = static_cast<std::byte>(random());
-  return bytes;
-}
+GeometryPass<3> wideOpen(LayerKind kind, Members members) { return {kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false}; }
 
-Bytes fieldsOf(const GeometryPass<3>& pass) {
-  Bytes bytes;
-  ByteWriter out(bytes);
-  pass.write(out);
-  return bytes;
-}
-
-/// A base, all octaves, some geometry. `payload(bits)` is what stands behind a geometry layer's fields.
+/// A base, all octaves, some geometry of each kind.
 template <class Payload>
 Bytes streamOf(const Header& header, Payload payload) {
-  std::vector<std::pair<LayerHead, Bytes>> layers;
-  Knowledge<3> known(header);
-  for (int level = 0; level <= header.octaves(); ++level) {
-    const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
-    layers.push_back(
-        {{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? known.base(ask) : known.refine(ask); })});
-  }
+  std::vector<GeometryPass<3>> passes, further;
   for (const LayerKind kind : {LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      const GeometryPass<3> pass{kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
-      Bytes bytes = fieldsOf(pass);
-      const Bytes told = payload([&](auto& ask) { known.geometry(ask, pass); });
-      bytes.insert(bytes.end(), told.begin(), told.end());
-      layers.push_back({{kind, header.octaves(), 0.1, 0, 0}, bytes});
-    }
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) passes.push_back(wideOpen(kind, members));
   }
-  for (int number = 1; number <= static_cast<int>(header.near.size()); ++number) {
-    layers.push_back({{LayerKind::NearSigns, number, 0.1, 0, 0}, payload([&](auto& ask) { known.nearSigns(ask, number); })});
-    for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) {
-      const GeometryPass<3> pass{kind, Members::AxisEnds, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
-      Bytes bytes = fieldsOf(pass);
-      bytes.insert(bytes.begin(), static_cast<std::byte>(kind));
-      const Bytes told = payload([&](auto& ask) { known.nearGeometry(ask, pass); });
-      bytes.insert(bytes.end(), told.begin(), told.end());
-      layers.push_back({{LayerKind::NearGeometry, number, 0.1, 0, 0}, bytes});
-    }
-  }
-  return assembled(header, layers);
+  for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) further.push_back(wideOpen(kind, Members::AxisEnds));
+  return madeUp<3>(header, passes, further, payload);
 }
 
 Header weldedOf(const Size& size) {
@@ -143,8 +107,8 @@ Bytes adaptiveStreamOf(Header header, Payload payload) {
   }
   for (int level = 0; level <= header.octaves(); ++level) {
     for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) {
-      const GeometryPass<3> pass{kind, Members::AxisEnds, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
-      Bytes bytes = fieldsOf(pass);
+      const GeometryPass<3> pass = wideOpen(kind, Members::AxisEnds);
+      Bytes bytes = fieldsOf<3>(pass);
       const Bytes told = payload([&](auto& ask) {
         if (kind == LayerKind::Octaves) mesh.tellOctaves(ask, pass.depth, header.polygonizer);
         else mesh.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
@@ -196,7 +160,7 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
         {{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
   }
   const GeometryPass<3> pass{LayerKind::Octaves, Members::AxisEnds, 0, {}, 0, false};
-  Bytes geometry = fieldsOf(pass);
+  Bytes geometry = fieldsOf<3>(pass);
   const Bytes steep = told(known.signs, SteepField(), [&](auto& ask) { known.geometry(ask, pass); });
   geometry.insert(geometry.end(), steep.begin(), steep.end());
   layers.push_back({{LayerKind::Octaves, header.octaves(), 0, 0, 0}, geometry});
@@ -204,22 +168,6 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::None);
   for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length)
     (void)harmlesslyDecoded(std::span(bytes).first(length));
-}
-
-/// What a decoder holds beside what is counted: its models, and the bytes that it was fed.
-constexpr std::size_t kModels = 9u << 18;
-
-std::size_t peakOf(const Bytes& bytes, const Limits& limits, Error& error) {
-  const Allocation allocation;
-  Decoder decoder(limits);
-  decoder.feed(bytes);
-  decoder.finish();
-  while (decoder.advance()) {
-    Mesh mesh;
-    for (const Polygonizer polygonizer : kPolygonizers) (void)decoder.mesh({polygonizer}, mesh);
-  }
-  error = decoder.error();
-  return allocation.peak();
 }
 
 TEST(HostileNoise, staysWithinTheMemoryAllowed) {

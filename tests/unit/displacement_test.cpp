@@ -134,6 +134,33 @@ TEST(Displacement, isSmoothBetweenBlocks) {
   }
 }
 
+/// The largest sums: 4^D weights of ±127.
+template <int D>
+void holdsTheFarthest() {
+  Coordinates<D> box;
+  box.fill(23);
+  const BrickTable<D> table{Lattice<D>(box, 1)};
+  for (const int far : {127, -127}) {
+    Displacements<D> displacements(table.total());
+    for (std::size_t place = 0; place < table.total(); ++place) displacements.writable(place).fill(static_cast<int8_t>(far));
+    Coordinates<D> middle;
+    middle.fill(1);
+    DisplacementWindow<D> window;
+    window.load(displacements, table, middle);
+    window.spread();
+    const int expected = far * Displacements<D>::kPlaneSlope / Displacements<D>::kPerStep;
+    for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
+      for (int x = 0; x < kBrickSide; ++x) ASSERT_NEAR(window.at(r, x), expected, 2 + std::abs(expected) / 128);
+    }
+  }
+}
+
+TEST(Displacement, theFarthestIsHeldInEachDimension) {
+  holdsTheFarthest<2>();
+  holdsTheFarthest<3>();
+  holdsTheFarthest<4>();
+}
+
 TEST(Shape, aPlaneHasTheSameSlopeInEachKernel) {
   const auto signs = DenseSigns<3>(Lattice<3>({23, 23, 23}, 1), [](const auto& v) { return v[0] > 11; }).bricks();
   Window<3> window;

@@ -11,6 +11,7 @@ namespace isostar {
 struct NoScalars {
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] int gradient(std::size_t) const { return 0; }
+  [[nodiscard]] int32_t domain(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] int displacement(std::size_t, std::size_t) const { return 0; }
   [[nodiscard]] bool selected(std::size_t) const { return false; }
 };

@@ -1,0 +1,184 @@
+// Displacements that no encoder tells: any cubes and steps, as often as one likes and in any order, in each dimension.
+#include "harmless.h"
+#include "made_up.h"
+
+namespace isostar {
+namespace {
+
+/// A small box of so many axes.
+Header boxOf(int dimension) {
+  Header header;
+  header.dimension = dimension;
+  header.size = dimension == 2 ? std::array{30, 21, 1, 1} : dimension == 3 ? std::array{17, 12, 22, 1} : std::array{9, 12, 7, 6};
+  header.countWhole(1);
+  return header;
+}
+
+/// The kinds of stream that may have displacements.
+std::vector<Header> headersOf(int dimension) {
+  std::vector<Header> headers(2, boxOf(dimension));
+  headers[1].near = {3, -100};
+  if (dimension == 4) return headers;
+  headers.push_back(boxOf(dimension));
+  headers.back().keepsTopology = true;
+  if (dimension == 2) return headers;
+  headers.push_back(boxOf(dimension));
+  headers.back().trimmed = true;
+  return headers;
+}
+
+template <int D>
+GeometryPass<D> anyPass(std::mt19937_64& random, bool displaced) {
+  const auto below = [&](uint64_t end) { return static_cast<int>(random() % end); };
+  GeometryPass<D> pass;
+  pass.kind = displaced && below(2) == 0 ? LayerKind::Displacement : below(2) == 0 ? LayerKind::Octaves : LayerKind::Halving;
+  pass.members = static_cast<Members>(below(2));
+  pass.depth = below(6);
+  pass.allowed.fill(static_cast<uint32_t>(1 << below(20)));
+  pass.allowed[0] = 0;
+  pass.most = below(33);
+  pass.selective = below(2) == 0;
+  pass.displacement = {1 + below(3), 1 + below(63)};
+  return pass;
+}
+
+template <int D>
+Bytes anyStream(const Header& header, uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<GeometryPass<D>> passes(seed % 9), further(seed % 3);
+  for (auto& pass : passes) pass = anyPass<D>(random, true);
+  for (auto& pass : further) pass = anyPass<D>(random, false);
+  const double rate = std::array{0.5, 1.0, 0.1, 0.9}[seed % 4];
+  return madeUp<D>(header, passes, further, [&](auto tell) { return thrown<D>(random(), rate, tell); });
+}
+
+template <int D>
+void expectHarmless(uint64_t seeds) {
+  for (const Header& header : headersOf(D)) {
+    for (uint64_t seed = 0; seed < seeds; ++seed) {
+      SCOPED_TRACE(std::to_string(D) + " dimensions, seed " + std::to_string(seed));
+      EXPECT_EQ(harmlesslyDecoded(anyStream<D>(header, seed)).error(), Error::None);
+    }
+  }
+}
+
+TEST(HostileDisplacements, anyPassesShowSoundSurfaces) {
+  expectHarmless<2>(24);
+  expectHarmless<3>(12);
+  expectHarmless<4>(4);
+}
+
+/// Each prefix of small streams, some of larger ones.
+template <int D>
+void expectHarmlessWhereTorn(uint64_t seed, std::size_t prefixes) {
+  for (const Header& header : headersOf(D)) {
+    const Bytes bytes = anyStream<D>(header, seed);
+    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / prefixes) {
+      SCOPED_TRACE(std::to_string(D) + " dimensions, " + std::to_string(length) + " bytes");
+      const Decoder decoder = decoderOf(std::span(bytes).first(length), kTight);
+      EXPECT_EQ(decoder.error(), Error::Truncated);
+      if (decoder.ready()) showHarmlessly(decoder, {kPolygonizers[length % 2]}, kTight);
+    }
+  }
+}
+
+TEST(HostileDisplacements, tornAnywhereTheyAreHarmless) {
+  for (const uint64_t seed : {5, 8}) expectHarmlessWhereTorn<2>(seed, 600);
+  expectHarmlessWhereTorn<3>(5, 200);
+  expectHarmlessWhereTorn<4>(5, 40);
+}
+
+/// A surface thrown by dice, then displacements of noise.
+Bytes displacedByNoise(double rate, std::size_t length) {
+  constexpr int kLayersBefore = 4;
+  int layer = 0;
+  return madeUp<3>(boxOf(3), {{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 1}}}, {},
+                   [&](auto tell) { return layer++ < kLayersBefore ? thrown<3>(1, rate, tell) : noiseOf(length, length); });
+}
+
+TEST(HostileDisplacements, fieldsAreWithinTheirRange) {
+  const Bytes good = displacedByNoise(0.5, 9000);
+  const Anatomy anatomy(good);
+  for (unsigned field = 0; field < 256; ++field) {
+    Bytes bytes = good;
+    bytes[anatomy.layers.back().payload] = static_cast<std::byte>(field);
+    EXPECT_EQ(decoderOf(repaired(bytes, anatomy)).error(), (field & 3) == 0 || field >> 2 == 0 ? Error::Corrupt : Error::None) << field;
+  }
+}
+
+TEST(HostileDisplacements, areNotOfAdaptiveMeshes) {
+  Header header = boxOf(3);
+  header.size = {5, 5, 5, 1};  // the base alone
+  header.adaptive = true;
+  const Bytes dice = thrown<3>(1, 0.5, [&](auto& ask) { AdaptiveMesh<3>(header.base<3>()).base(ask); });
+  const Bytes bytes = assembled(header, {{{LayerKind::Base, 0, 0, 0, 0}, dice}, {{LayerKind::Displacement, 0, 0, 0, 0}, Bytes(20, std::byte{5})}});
+  EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::Corrupt);
+}
+
+TEST(HostileDisplacements, ofNoSurfaceAreNone) {
+  for (const std::size_t length : {0u, 1u, 100u}) {
+    const Decoder decoder = harmlesslyDecoded(displacedByNoise(0, length));
+    EXPECT_EQ(decoder.error(), Error::None);
+    EXPECT_TRUE(meshOf(decoder).positions.empty());
+  }
+}
+
+/// Answers as far as they can be, one way or the other.
+struct FarField : NoScalars {
+  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return (place + block) % 3 == 0 ? -4 : 4; }
+};
+
+template <int D>
+void expectHarmlessWhereFarthest() {
+  const Header header = boxOf(D);
+  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Knowledge<D> known(header);
+  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<D>(1, 0.5, [&](auto& ask) { known.base(ask); })});
+  for (int level = 1; level <= header.octaves(); ++level) {
+    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0}, thrown<D>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
+  }
+  GeometryPass<D> pass;
+  pass.kind = LayerKind::Displacement;
+  pass.displacement = {1, 63};
+  for (int i = 0; i < 3; ++i) {
+    Bytes bytes = fieldsOf<D>(pass);
+    const Bytes far = told(known.signs, FarField(), [&](auto& ask) { known.geometry(ask, pass); });
+    bytes.insert(bytes.end(), far.begin(), far.end());
+    layers.push_back({{LayerKind::Displacement, header.octaves(), 0, 0, 0}, bytes});
+  }
+  EXPECT_EQ(harmlesslyDecoded(assembled(header, layers)).error(), Error::None);
+}
+
+TEST(HostileDisplacements, theFarthestAreShown) {
+  expectHarmlessWhereFarthest<2>();
+  expectHarmlessWhereFarthest<3>();
+  expectHarmlessWhereFarthest<4>();
+}
+
+void expectWithinMemory(const Header& header, double rate, const std::vector<GeometryPass<3>>& passes, std::size_t least, std::size_t most, std::size_t step) {
+  uint64_t seed = 5;
+  const Bytes bytes = madeUp<3>(header, passes, {}, [&](auto tell) { return thrown<3>(++seed, rate, tell); });
+  for (std::size_t memory = least; memory <= most; memory += step) {
+    Error error;
+    EXPECT_LE(peakOf(bytes, {1u << 26, 1u << 26, memory}, error), memory + kModels + bytes.size()) << memory << (header.keepsTopology ? " bytes, welded" : " bytes");
+    EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
+  }
+}
+
+/// Before and after scalars, of as much surface as there can be and of a table without any.
+TEST(HostileDisplacements, stayWithinTheMemoryAllowed) {
+  constexpr std::size_t kMegabyte = 1u << 20;
+  const GeometryPass<3> displacement{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 20}}, octaves{};
+  Header header = boxOf(3);
+  for (const bool welded : {false, true}) {
+    header.size = {50, 60, 40, 1};
+    header.keepsTopology = welded;
+    expectWithinMemory(header, 0.5, {displacement, octaves, displacement}, kMegabyte / 2, 3 * kMegabyte, kMegabyte / 2);
+  }
+  header.size = {2, 2, 1 << 23, 1};
+  header.keepsTopology = false;
+  expectWithinMemory(header, 0, {octaves, displacement}, 11 * kMegabyte, 17 * kMegabyte, 2 * kMegabyte);
+}
+
+}  // namespace
+}  // namespace isostar
