@@ -24,7 +24,7 @@ class FuzzInput {
   Number number() {
     Number n{};
     const auto taken = bytes(sizeof(Number));
-    std::memcpy(&n, taken.data(), taken.size());
+    if (!taken.empty()) std::memcpy(&n, taken.data(), taken.size());
     return n;
   }
   std::span<const std::byte> bytes(std::size_t count) {
@@ -69,8 +69,8 @@ inline void demandSoundSurfaces(const Decoder& decoder) {
   }
 }
 
-inline void demandHarmless(std::span<const std::byte> stream) {
-  Decoder decoder(kFuzzLimits);
+inline void demandHarmless(std::span<const std::byte> stream, const Limits& limits = kFuzzLimits) {
+  Decoder decoder(limits);
   decoder.feed(stream);
   decoder.finish();
   while (decoder.advance()) demandSoundSurfaces(decoder);

@@ -1,10 +1,13 @@
-// Any layers behind a plausible header and right checksums: straight into the traversals.
+// Any layers behind a plausible header and right checksums, straight into the traversals, torn at times: within any memory allowed.
 #include "fuzz_input.h"
+#include "hostile/allocation.h"
 #include "stream.h"
 
 using namespace isostar;
 
 namespace {
+
+constexpr std::size_t kMostUncounted = 4u << 20;  // models, as Limits says
 
 /// A small number or any.
 double isovalueFrom(FuzzInput& input) { return (input.byte() & 1) != 0 ? input.between(-9, 9) / 2.0 : input.number<double>(); }
@@ -28,20 +31,24 @@ Header headerFrom(FuzzInput& input) {
   return header;
 }
 
-/// The kind and level that come next in a sound stream of so many layers.
-LayerHead expected(const Header& header, int told) {
+/// A kind and level that may come next in a sound stream of so many layers.
+LayerHead expected(FuzzInput& input, const Header& header, int told) {
+  constexpr int kPasses = 5;  // before further isovalues
+  const int octaves = header.octaves();
   if (told == 0) return {};
-  if (told <= header.octaves()) return {LayerKind::Refinement, told};
-  const int passes = told - header.octaves() - 1;
+  if (told <= octaves) return {LayerKind::Refinement, told};
+  const int passes = told - octaves - 1;
   if (header.adaptive) return {passes % 2 == 0 ? LayerKind::Octaves : LayerKind::Halving, std::min(passes / 2, 31)};
-  constexpr std::array<LayerKind, 3> kPasses{LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving};
-  if (passes < 3) return {kPasses[static_cast<std::size_t>(passes)], header.octaves()};
-  return {passes % 3 == 2 ? LayerKind::NearSigns : LayerKind::NearGeometry, std::min(passes / 3 + (passes % 3 == 2 ? 1 : 0), 31)};
+  if (header.trimmed && passes == 0) return {LayerKind::Domain, octaves};
+  constexpr std::array<LayerKind, 4> kKinds{LayerKind::Displacement, LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving};
+  if (header.near.empty() || passes < kPasses) return {kKinds[static_cast<std::size_t>(input.between(0, 3))], octaves};
+  const int further = passes - kPasses;
+  return {further % 3 == 0 ? LayerKind::NearSigns : LayerKind::NearGeometry, std::min(further / 3 + 1, 31)};
 }
 
 void writeLayer(FuzzInput& input, const Header& header, int told, std::vector<std::byte>& stream) {
-  LayerHead head = expected(header, told);
-  if (input.between(0, 3) == 0) {
+  LayerHead head = expected(input, header, told);
+  if (input.between(0, 15) == 0) {
     head.kind = static_cast<LayerKind>(input.between(0, 7));
     head.level = input.between(0, std::max(header.octaves(), 3));
   }
@@ -65,6 +72,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   ByteWriter out(stream);
   write(out, header);
   stream.insert(stream.end(), layers.begin(), layers.end());
-  demandHarmless(stream);
+  if ((input.byte() & 1) != 0) stream.resize(stream.size() - std::min<std::size_t>(stream.size(), input.byte()));
+  Limits limits = kFuzzLimits;
+  limits.memory >>= input.between(0, 10);
+  const Allocation allocation;
+  demandHarmless(stream, limits);
+  demand(allocation.peak() <= limits.memory + kMostUncounted + stream.size());
   return 0;
 }

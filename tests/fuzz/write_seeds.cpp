@@ -62,13 +62,17 @@ EncodeOptions adaptive(double bound, Polygonizer polygonizer) {
   return options;
 }
 
-/// Round shapes, and of few samples: fuzzers go through them often.
+/// Round shapes, and of as few samples as still make an adaptive mesh the smaller one: fuzzers go through them often.
 void writeAdaptiveMeshes(SeedFolder& seeds) {
-  const Size cube{17, 17, 17}, small{12, 11, 13};
-  seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(0.6, Polygonizer::Cubes));
-  seeds.write(sampled("ball", small, sphere(small, 0.4)).volume(), adaptive(0.7, Polygonizer::Tetrahedra));
+  const Size cube{24, 24, 24}, box{22, 24, 21};
+  seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(1, Polygonizer::Cubes));
+  seeds.write(sampled("ball", box, sphere(box, 0.45)).volume(), adaptive(0.9, Polygonizer::Tetrahedra));
   const SampledField disc = sampled("disc", {33, 28, 1}, [](double x, double y, double) { return 11.23 - std::hypot(x - 16.5, y - 14); });
   seeds.write(Image{disc.samples, {33, 28}}, adaptive(0.8, Polygonizer::Tetrahedra));
+}
+
+void writeDomains(SeedFolder& seeds) {
+  for (const auto& field : fieldsOf({9, 8, 11})) seeds.write(within(halfSpace({0.6, 0.48, 0.64}, 8), field).volume(), turnOf(seeds.number()));
 }
 
 void writeVolumesOfOneTopology(SeedFolder& seeds) {
@@ -101,6 +105,7 @@ int main(int argc, char** argv) {
   writeVolumes(seeds);
   writeCloseByIsovalues(seeds);
   writeAdaptiveMeshes(seeds);
+  writeDomains(seeds);
   writeVolumesOfOneTopology(seeds);
   writeImages(seeds);
   writeSequences(seeds);
