@@ -101,7 +101,7 @@ TEST(Domain, everyPrefixIsClosedButForItsEnd) {
   uint64_t ends = 0;
   std::set<std::size_t> lengths{bytes.size()};
   for (std::size_t length = 0; length < bytes.size(); length += 17) lengths.insert(length);
-  for (const LayerInfo& layer : decoderOf(bytes).info().layers) lengths.insert({layer.offset - 1, layer.offset, layer.offset + 1});
+  for (const LayerInfo& layer : infoOf(bytes).layers) lengths.insert({layer.offset - 1, layer.offset, layer.offset + 1});
   lengths.erase(bytes.size() + 1);
   for (const std::size_t length : lengths) {
     SCOPED_TRACE("the first " + std::to_string(length));
