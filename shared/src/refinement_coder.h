@@ -32,7 +32,7 @@ class RefinementCoder {
   }
 
   /// All bisections of an octave, slab of bricks by slab: each bisection follows the one before a slab behind, where all
-  /// that it looks at has been told, so that of a stream that ends early whole slabs are known. Of an adaptive octave (§5.2)
+  /// that it looks at has been told, so that of a stream that ends early all before a few places is known. Of an adaptive octave (§5.2)
   /// `absent` are the vertices that are not in the mesh: the first bisection tells of each crossing cell whether it stays
   /// whole, and a vertex whose diamond has an absent one is absent too, so that the mesh conforms.
   template <class Exchange>
@@ -43,7 +43,7 @@ class RefinementCoder {
       const auto near = activeBricks(*absent);
       for (std::size_t place = 0; place < near.size(); ++place) active_[place] |= near[place];
     }
-    slabsTold_.fill(0);
+    told_.fill(0);
     const auto slabs = static_cast<std::size_t>(signs.table().count(D - 1));
     for (std::size_t step = 0; step < slabs + D - 1; ++step) {
       for (int dimension = D; dimension >= 1; --dimension) {
@@ -51,7 +51,6 @@ class RefinementCoder {
         if (slab >= slabs) continue;
         bisect(ask, signs, dimension, slab);
         if (ask.spent(signs.memory() + memory())) return;
-        ++slabsTold_[static_cast<std::size_t>(dimension)];
       }
     }
   }
@@ -59,19 +58,18 @@ class RefinementCoder {
   /// Of an octave that has been told in part: the fresh vertices near the surface that have not.
   [[nodiscard]] ISOSTAR_SELDOM Signs<D> untold(const Signs<D>& signs) const {
     Signs<D> result(signs.lattice());
-    const std::size_t slab = signs.table().stride(D - 1);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] == 0) continue;
       forEachFresh(signs.lattice(), signs.table().brick(place), [&](const Coordinates<D>& v, std::size_t dimension) {
-        if (place / slab >= slabsTold_[dimension]) result.set(v, true);
+        if (place >= told_[dimension]) result.set(v, true);
       });
     }
     return result;
   }
   /// The bricks of the octave told last that touch the surface, and a few others, 1 marked, by place; none the second time.
   [[nodiscard]] std::vector<uint8_t> takeActive() { return std::move(active_); }
-  /// Has any slab of the octave been told?
-  [[nodiscard]] bool began() const { return slabsTold_[D] != 0; }
+  /// Has any of the octave been told?
+  [[nodiscard]] bool began() const { return told_[D] != 0; }
 
   /// The absent vertices of an octave that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
   /// fresh one has its lower corner's sign for now. No component first appears here, or its vertices would not be absent.
@@ -110,9 +108,12 @@ class RefinementCoder {
     for (std::size_t first = begin; first < end && !ask.spent(signs.memory() + memory()); first += kGroup) {
       quietGroup(ask, signs, dimension, first, std::min(first + kGroup, end));
     }
+    std::size_t& told = told_[static_cast<std::size_t>(dimension)];
     for (std::size_t place = begin; place < end && !ask.spent(signs.memory() + memory()); ++place) {
+      told = place;
       if (active_[place] != 0) brick(ask, signs, place, dimension);
     }
+    if (!ask.spent(signs.memory() + memory())) told = end;  // else what was read of the last brick may be noise
     for (const std::size_t place : changedPlaces_) activateAround(signs, place, active_);
     changedPlaces_.clear();
     for (const std::size_t place : absentPlaces_) activateAround(*absent_, place, active_);
@@ -395,7 +396,7 @@ class RefinementCoder {
   const std::array<Neighbourhood<D>, kSets>& neighbourhoods_ = neighbourhoods();
   std::vector<uint8_t> active_;  // bricks of the octave in work, as of activeBricks()
   std::vector<std::size_t> changedPlaces_, absentPlaces_;  // in this bisection of this slab
-  std::array<std::size_t, D + 1> slabsTold_{};             // by bisection
+  std::array<std::size_t, D + 1> told_{};                  // by bisection: the bricks before this place
   Window<D> window_;
   Signs<D>* absent_ = nullptr;  // null: all are in the mesh
   Window<D> absentWindow_;
