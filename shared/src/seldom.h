@@ -2,7 +2,7 @@
 #pragma once
 
 #ifdef __EMSCRIPTEN__
-#define ISOSTAR_SELDOM [[clang::minsize]]
+#define ISOSTAR_SELDOM [[clang::minsize, gnu::noinline]]
 #else
 #define ISOSTAR_SELDOM
 #endif
