@@ -7,24 +7,29 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "cell_table.h"
+#include "cell_cut.h"
+#include "corner_signs.h"
 #include "crossings.h"
 #include "trim.h"
 
 namespace isostar {
 namespace {
 
-constexpr int kRows = 64;  // of a brick
+constexpr unsigned kPlanes = 8;  // of a brick
 
-/// Where the crossed edges of a brick along one set of axes are in the list of vertices, by row.
+/// Where the crossed edges of a brick along one set of axes are in the list of vertices, by plane.
 struct EdgeIndex {
-  std::array<uint32_t, kRows> first;
-  std::array<uint8_t, kRows> crossed;
+  struct Plane {
+    uint64_t crossed;  // bit x + 8 y, as in a VertexSet
+    uint32_t first;
+  };
+  std::array<Plane, kPlanes> planes;
 
   EdgeIndex() {}  // leaves them as they are: filling them with zeros first would take longer than counting
 
-  [[nodiscard]] uint32_t vertex(unsigned row, unsigned x) const {
-    return first[row] + static_cast<uint32_t>(std::popcount(crossed[row] & ((1u << x) - 1u)));
+  [[nodiscard]] uint32_t vertex(unsigned plane, unsigned at) const {
+    const auto& [crossed, first] = planes[plane];
+    return first + static_cast<uint32_t>(std::popcount(crossed & ((uint64_t{1} << at) - 1)));
   }
 };
 
@@ -60,7 +65,11 @@ class Polygonization {
   Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out, std::vector<float>& depth)
       : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
         limits_(limits), out_(out), depth_(depth), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
-    for (unsigned parity = 0; parity < 8; ++parity) tables_[parity] = &cellTable(options.polygonizer, parity);
+    const bool mirrors = frames_.mirrors();
+    cuts_.reserve(parities() * 256);
+    for (unsigned parity = 0; parity < parities(); ++parity) {
+      for (const CellCase& shape : cellTable(options.polygonizer, parity)) cuts_.emplace_back(shape, mirrors);
+    }
   }
 
   Error run() {
@@ -68,10 +77,9 @@ class Polygonization {
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] != 0) slot_[place] = bricks++;
     }
-    held_ = kBytesOfPlace * active_.size() + bricks * (sets() * sizeof(EdgeIndex) + sizeof(Window<3>));
+    held_ = kBytesOfPlace * active_.size() + bricks * sets() * sizeof(EdgeIndex);
     if (held_ > limits_.memory) return Error::OverLimit;
     index_.resize(bricks * sets());
-    windows_.resize(bricks);
     for (std::size_t place = 0; place < active_.size(); ++place) {
       if (active_[place] == 0) continue;
       countEdges(place);
@@ -79,15 +87,15 @@ class Polygonization {
     }
     const bool ends = surface_.domain != nullptr;
     held_ += vertices_ * ((options_.normals ? 6 : 3) + (ends ? 1 : 0)) * sizeof(float);
-    if (!makeRoom(vertices_ * 6 + kMostOfRow)) return Error::OverLimit;
-    out_.positions.resize(vertices_ * 3);
-    if (options_.normals) out_.normals.resize(vertices_ * 3);
+    if (!makeRoom(vertices_ * 6 + kMostOfPlane)) return Error::OverLimit;
+    out_.positions.reserve(vertices_ * 3);
+    if (options_.normals) out_.normals.reserve(vertices_ * 3);
     if (ends) depth_.resize(vertices_);
     for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] != 0) placeVertices(place);
-    }
-    for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] != 0 && !cutCells(place)) return Error::OverLimit;
+      if (active_[place] == 0) continue;
+      placeVertices(place);
+      findVerticesAhead(place);
+      if (!cutCells(place)) return Error::OverLimit;
     }
     out_.triangles.resize(corners_);
     return Error::None;
@@ -96,13 +104,14 @@ class Polygonization {
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
   static constexpr uint64_t kMostVertices = UINT32_MAX - 7 * power(kBrickSide, 3);  // one more brick's can still be counted
-  static constexpr std::size_t kMostOfRow = kBrickSide * CellCase::kMostTriangles * 3;
-  using Bits = uint32_t;
+  static constexpr std::size_t kMostOfPlane = kBrickSide * kBrickSide * CellCase::kMostTriangles * 3;
 
   [[nodiscard]] unsigned lastAxes() const { return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u; }
   [[nodiscard]] bool uses(unsigned axes) const { return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes); }
   /// How many sets of axes edges run along.
   [[nodiscard]] std::size_t sets() const { return options_.polygonizer == Polygonizer::Cubes ? 3 : 7; }
+  /// How many tables of cells, by their parity.
+  [[nodiscard]] std::size_t parities() const { return options_.polygonizer == Polygonizer::Cubes ? 1 : 8; }
   [[nodiscard]] static std::array<uint8_t, 8> numbersOfSets(Polygonizer polygonizer) {
     if (polygonizer == Polygonizer::Cubes) return {0, 0, 1, 0, 2, 0, 0, 0};
     return {0, 0, 1, 2, 3, 4, 5, 6};
@@ -111,20 +120,16 @@ class Polygonization {
 
   void countEdges(std::size_t place) {
     const auto brick = signs_.table().brick(place);
-    Window<3>& window = windows_[slot_[place]];
-    window.load(signs_, brick);
-    bool inner = true;
-    for (int a = 0; a < 3; ++a) inner = inner && (brick[a] + 1) * kBrickSide <= lattice_.last[a];
+    const CornerSigns corners(signs_, place);
     auto number = static_cast<uint32_t>(vertices_);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
       EdgeIndex& index = indexOf(place)[number_[axes]];
-      for (unsigned r = 0; r < kRows; ++r) {
-        const Bits inside = inner ? 0xFF : edgesInside(lattice_, brick, r, axes);
-        const Bits bits = crossedEdges(window, Window<3>::kOwnRows[r], r, axes) & inside;
-        index.crossed[r] = static_cast<uint8_t>(bits);
-        index.first[r] = number;
-        number += static_cast<uint32_t>(std::popcount(bits));
+      const auto inside = insideOf(lattice_, brick, axes);
+      for (unsigned z = 0; z < kPlanes; ++z) {
+        const uint64_t crossed = corners.crossedEdges(axes, z) & inside[z];
+        index.planes[z] = {crossed, number};
+        number += static_cast<uint32_t>(std::popcount(crossed));
       }
     }
     vertices_ = number;
@@ -133,7 +138,7 @@ class Polygonization {
   /// |scalar - isovalue| in half quanta at a vertex of the window.
   [[nodiscard]] double size(int at) const {
     const int32_t value = scalars_.value[at];
-    return value >= 0 ? value + surface_.positiveOffset : -double(value) + surface_.negativeOffset;
+    return std::abs(double(value)) + offsets_[value < 0 ? 1 : 0];  // no branch, which nobody could predict
   }
   [[nodiscard]] double scalar(int at) const { return scalars_.value[at] >= 0 ? size(at) : -size(at); }
   [[nodiscard]] bool known(int at) const { return scalars_.value[at] != Scalars<3>::kUnknown; }
@@ -144,18 +149,26 @@ class Polygonization {
     if (surface_.domain != nullptr) domain_.load(*surface_.domain, signs_.table(), brick);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
-      const EdgeIndex& index = indexOf(place)[number_[axes]];
-      for (unsigned r = 0; r < kRows; ++r) {
-        uint32_t id = index.first[r];
-        for (Bits open = index.crossed[r]; open != 0; open &= open - 1) {
-          placeVertex(brick, axes, r, static_cast<unsigned>(std::countr_zero(open)), id++);
+      for (unsigned z = 0; z < kPlanes; ++z) {
+        auto [open, id] = indexOf(place)[number_[axes]].planes[z];
+        grow(id + static_cast<uint32_t>(std::popcount(open)));
+        for (; open != 0; open &= open - 1, ++id) {
+          const auto at = static_cast<unsigned>(std::countr_zero(open));
+          ids_[EdgePlaces::at(axes, at % kBrickSide, at / kBrickSide, z)] = id;
+          placeVertex(brick, axes, z, at, id);
         }
       }
     }
   }
 
-  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned r, unsigned x, uint32_t id) {
-    const EdgeEnds<3> ends(brick, r, x, axes);
+  /// Makes vertices a plane at a time, not all of them before the first one is placed: so they are in the cache then.
+  void grow(std::size_t vertices) {
+    out_.positions.resize(vertices * 3);
+    if (options_.normals) out_.normals.resize(vertices * 3);
+  }
+
+  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned z, unsigned at, uint32_t id) {
+    const EdgeEnds<3> ends(brick, z * kBrickSide + at / kBrickSide, at % kBrickSide, axes);
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
@@ -213,79 +226,65 @@ class Polygonization {
     const std::size_t before = out_.triangles.capacity();
     if (corners > before && held_ + (uint64_t{before} + corners) * sizeof(uint32_t) > limits_.memory) return false;
     out_.triangles.reserve(corners);
-    out_.triangles.resize(corners);
     return true;
+  }
+
+  /// The vertices of the next bricks that this one's last cells need.
+  void findVerticesAhead(std::size_t place) {
+    constexpr uint64_t kFirstColumn = 0x0101010101010101, kFirstRow = 0xFF;
+    const auto brick = signs_.table().brick(place);
+    for (unsigned ahead = 1; ahead < 8; ++ahead) {
+      std::size_t other = place;
+      bool inside = true;
+      for (int a = 0; a < 3; ++a) {
+        if ((ahead >> a & 1) == 0) continue;
+        inside = inside && brick[a] + 1 < signs_.table().count(a);
+        other += signs_.table().stride(a);
+      }
+      if (!inside || slot_[other] == kNone) continue;
+      const uint64_t facing = ((ahead & 1) != 0 ? kFirstColumn : ~uint64_t{0}) & ((ahead & 2) != 0 ? kFirstRow : ~uint64_t{0});
+      const unsigned x = (ahead & 1) * kBrickSide, y = (ahead >> 1 & 1) * kBrickSide, firstZ = (ahead >> 2) * kBrickSide;
+      for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
+        if (!uses(axes) || (axes & ahead) != 0) continue;
+        const EdgeIndex& index = indexOf(other)[number_[axes]];
+        for (unsigned z = 0; z < ((ahead & 4) != 0 ? 1 : kPlanes); ++z) {
+          for (uint64_t open = index.planes[z].crossed & facing; open != 0; open &= open - 1) {
+            const auto at = static_cast<unsigned>(std::countr_zero(open));
+            ids_[EdgePlaces::at(axes, x + at % kBrickSide, y + at / kBrickSide, firstZ + z)] = index.vertex(z, at);
+          }
+        }
+      }
+    }
   }
 
   /// False where the limit has no room for the triangles.
   bool cutCells(std::size_t place) {
     const auto brick = signs_.table().brick(place);
-    const Window<3>& window = windows_[slot_[place]];
-    std::array<const EdgeIndex*, 8> near{};
-    for (unsigned c = 0; c < 8; ++c) {
-      std::size_t other = place;
-      bool inside = true;
-      for (int a = 0; a < 3; ++a) {
-        if ((c >> a & 1) == 0) continue;
-        inside = inside && brick[a] + 1 < signs_.table().count(a);
-        other += signs_.table().stride(a);
-      }
-      if (inside && slot_[other] != kNone) near[c] = indexOf(other);
-    }
-    for (unsigned r = 0; r < kRows; ++r) {
-      const Bits inside = edgesInside(lattice_, brick, r, 7);
-      if (inside == 0) continue;
-      const int32_t y = static_cast<int32_t>(r & 7), z = static_cast<int32_t>(r >> 3);
-      const int row = Window<3>::row({0, y, z});
-      const Bits a = window.rows[row], b = window.rows[row + Window<3>::rowStride(1)];
-      const Bits c = window.rows[row + Window<3>::rowStride(2)], d = window.rows[row + Window<3>::rowStride(1) + Window<3>::rowStride(2)];
-      const Bits some = a | b | c | d, all = a & b & c & d;
-      Bits open = ((some | some >> 1) & ~(all & all >> 1)) >> Window<3>::kHalo & inside;
+    const CornerSigns corners(signs_, place);
+    const auto inside = insideOf(lattice_, brick, 7);
+    for (unsigned z = 0; z < kPlanes; ++z) {
+      uint64_t open = corners.crossedCells(z) & inside[z];
       if (open == 0) continue;
-      const EdgeRows rows = edgeRows(near, r);
-      if (out_.triangles.size() - corners_ < kMostOfRow && !makeRoom(corners_ + corners_ / 8 + kMostOfRow)) return false;
+      if (out_.triangles.capacity() - corners_ < kMostOfPlane && !makeRoom(corners_ + corners_ / 8 + kMostOfPlane)) return false;
+      out_.triangles.resize(corners_ + kMostOfPlane);
       for (; open != 0; open &= open - 1) {
-        const auto x = static_cast<unsigned>(std::countr_zero(open));
-        const unsigned at = x + Window<3>::kHalo;
-        const unsigned signs = (a >> at & 3) | (b >> at & 3) << 2 | (c >> at & 3) << 4 | (d >> at & 3) << 6;
-        cutCell(rows, signs, x, r);
+        const auto at = static_cast<unsigned>(std::countr_zero(open));
+        cutCell(corners.around(z, at), at % kBrickSide, at / kBrickSide, z);
       }
     }
     return true;
   }
 
-  /// A row of edges that cells of a row need: by corner on axes 1 and 2, then whether it lies in the next brick on axis 0.
-  struct EdgeRow {
-    const EdgeIndex* index;
-    unsigned row;
-  };
-  using EdgeRows = std::array<EdgeRow, 8>;
-  static EdgeRows edgeRows(const std::array<const EdgeIndex*, 8>& near, unsigned r) {
-    EdgeRows rows;
-    for (unsigned n = 0; n < rows.size(); ++n) {
-      const unsigned y = (r & 7) + (n & 1), z = (r >> 3) + (n >> 1 & 1);
-      rows[n] = {near[n >> 2 | (y >> 3) << 1 | (z >> 3) << 2], (y & 7) | (z & 7) << 3};
-    }
-    return rows;
-  }
-
-  void cutCell(const EdgeRows& rows, unsigned signs, unsigned x, unsigned r) {
-    const CellCase& shape = (*tables_[(x & 1) | (r & 1) << 1 | (r >> 3 & 1) << 2])[signs];
-    std::array<uint32_t, CellCase::kMostEdges> ids;
-    for (std::size_t e = 0; e < shape.edgeCount; ++e) {
-      const CellEdge edge = shape.edges[e];
-      const unsigned ex = x + (edge.corner & 1);
-      const EdgeRow& row = rows[(edge.corner >> 1) | (ex & kBrickSide) >> 1];
-      ids[e] = row.index[number_[edge.axes]].vertex(row.row, ex & 7);
-    }
+  /// Most cells have one or two triangles: two always, so that there is less to predict.
+  void cutCell(unsigned signs, unsigned x, unsigned y, unsigned z) {
+    constexpr std::size_t kAlways = 6;
+    const std::size_t parity = ((x & 1) | (y & 1) << 1 | (z & 1) << 2) & (parities() - 1);
+    const CellCut& cut = cuts_[parity * 256 + signs];
+    const uint32_t* ids = &ids_[EdgePlaces::at(1, x, y, z)];
     uint32_t* next = out_.triangles.data() + corners_;
-    corners_ += std::size_t{shape.triangleCount} * 3;
-    for (std::size_t i = 0; i < shape.triangleCount; ++i, next += 3) {
-      const auto& t = shape.triangles[i];
-      next[0] = ids[t[0]];
-      next[mirrors_ ? 2 : 1] = ids[t[1]];
-      next[mirrors_ ? 1 : 2] = ids[t[2]];
-    }
+    for (std::size_t i = 0; i < kAlways; ++i) next[i] = ids[cut.edges[i]];
+    for (std::size_t i = kAlways; i < cut.corners; ++i) next[i] = ids[cut.edges[i]];
+    corners_ += cut.corners;
   }
 
   const Surface<3>& surface_;
@@ -293,8 +292,8 @@ class Polygonization {
   Lattice<3> lattice_;
   MeshOptions options_;
   Frames frames_;
-  bool mirrors_ = frames_.mirrors();
-  std::array<const CellTable*, 8> tables_{};
+  std::array<double, 2> offsets_{surface_.positiveOffset, surface_.negativeOffset};
+  std::vector<CellCut> cuts_;  // by parity, if that matters; then by signs
   Limits limits_;
   uint64_t held_ = 0;  // bytes in use but for those of triangles
   Mesh& out_;
@@ -302,8 +301,8 @@ class Polygonization {
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
   std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);  // of a set of axes
+  std::array<uint32_t, EdgePlaces::kCount> ids_{};  // of the vertices around the brick in work
   std::vector<EdgeIndex> index_;                                          // by brick, then by set of axes
-  std::vector<Window<3>> windows_;
   uint64_t vertices_ = 0;
   std::size_t corners_ = 0;  // of triangles, so far
   ScalarWindow<3> scalars_, domain_;

@@ -24,7 +24,7 @@ const PARTS = {
   layers: ['layers.h'],
   adaptive: ['adaptive.h'],
   polygonizer: [
-    ...['surface.h', 'crossings.h', 'cell_table.h', 'cell_table.cpp', 'trim.h', 'trim.cpp', 'polygonizer.h', 'polygonizer.cpp'],
+    ...['surface.h', 'crossings.h', 'corner_signs.h', 'cell_table.h', 'cell_table.cpp', 'cell_cut.h', 'trim.h', 'trim.cpp', 'polygonizer.h', 'polygonizer.cpp'],
     ...['contour.h', 'contour.cpp', 'time_slice.h', 'time_slice.cpp'],
   ],
   field: ['field.h', 'field.cpp'],
