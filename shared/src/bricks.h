@@ -72,6 +72,10 @@ class BrickTable {
     }
     return at;
   }
+  /// To the next place.
+  void advance(Coordinates<D>& brick) const {
+    for (int a = 0; a < D && ++brick[a] == count_[a]; ++a) brick[a] = 0;
+  }
 
  private:
   std::array<int32_t, D> count_{};

@@ -182,18 +182,19 @@ template <int D>
 std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
   const auto& table = signs.table();
   std::vector<uint8_t> active(table.total(), 0);
-  for (std::size_t place = 0; place < table.total(); ++place) {
-    const auto at = table.brick(place);
-    bool mixed = signs.index(place) > Signs<D>::kPositive;
+  Coordinates<D> at{};
+  for (std::size_t place = 0; place < table.total(); ++place, table.advance(at)) {
+    const bool mixed = signs.index(place) > Signs<D>::kPositive;
     if (mixed) active[place] = 1;
+    bool differs = false;
     for (int a = 0; a < D && !mixed; ++a) {
-      mixed = at[a] + 1 < table.count(a) && signs.index(place + table.stride(a)) != signs.index(place);
+      differs = differs || (at[a] + 1 < table.count(a) && signs.index(place + table.stride(a)) != signs.index(place));
     }
-    if (!mixed) continue;
+    if (!mixed && !differs) continue;
     Coordinates<D> from, to;
     for (int a = 0; a < D; ++a) {
       from[a] = std::max(at[a] - 1, 0);
-      to[a] = std::min(at[a] + 2, table.count(a) - 1);  // the brick that differs is one further
+      to[a] = std::min(at[a] + (mixed ? 1 : 2), table.count(a) - 1);  // a brick that differs is one further
     }
     for (auto v = from;;) {
       uint8_t& mark = active[table.place(v)];
