@@ -5,12 +5,12 @@
 #include <bit>
 #include <cstdint>
 
-#include "crossings.h"
+#include "tube.h"
 
 namespace isostar {
 
-/// A bit for each vertex of a brick in space: bit x + 8 y of word z.
-using BrickWords = std::array<uint64_t, kBrickSide>;
+/// A bit for each vertex of a brick: bit x + 8 y of word z.
+using BrickWords = decltype(VertexSet<3>::words);
 
 /// The signs of a brick's vertices, and of those one step further on each set of axes. Beyond the lattice they mean nothing.
 class CornerSigns {
@@ -95,14 +95,9 @@ class CornerSigns {
 
 /// The vertices of a brick from which edges along a set of axes stay inside the lattice.
 inline BrickWords insideOf(const Lattice<3>& lattice, const Coordinates<3>& brick, unsigned axes) {
-  BrickWords inside;
-  inside.fill(~uint64_t{0});
-  bool inner = true;
-  for (int a = 0; a < 3; ++a) inner = inner && (brick[a] + 1) * kBrickSide <= lattice.last[a];
-  if (inner) return inside;
-  inside.fill(0);
-  for (unsigned r = 0; r < 64; ++r) inside[r / 8] |= uint64_t{edgesInside(lattice, brick, r, axes)} << r % 8 * 8;
-  return inside;
+  Coordinates<3> last = lattice.last;
+  for (unsigned a = 0; a < 3; ++a) last[a] -= (axes >> a & 1) != 0 ? 1 : 0;
+  return VertexSet<3>::upTo(last, brick).words;
 }
 
 }  // namespace isostar

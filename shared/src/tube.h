@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cstring>
 
 #include "window.h"
 
@@ -16,6 +17,29 @@ template <int D>
 struct VertexSet {
   static constexpr std::size_t kWords = power(kBrickSide, D) / 64;
   std::array<uint64_t, kWords> words{};
+
+  /// A brick's vertices on planes up to the last one on each axis.
+  static VertexSet upTo(const Coordinates<D>& last, const Coordinates<D>& brick) {
+    VertexSet set;
+    set.words.fill(~uint64_t{0});
+    Coordinates<D> planes;
+    bool all = true;
+    for (int a = 0; a < D; ++a) {
+      planes[a] = std::clamp(last[a] + 1 - brick[a] * kBrickSide, 0, kBrickSide);
+      all = all && planes[a] == kBrickSide;
+    }
+    if (all) return set;
+    set.words.fill(0);
+    const uint64_t row = (1u << planes[0]) - 1;
+    Coordinates<D> v{};
+    for (std::size_t r = 0; r < kWords * kBrickSide; ++r) {
+      bool in = true;
+      for (int a = 1; a < D; ++a) in = in && v[a] < planes[a];
+      if (in) set.words[r / kBrickSide] |= row << r % kBrickSide * kBrickSide;
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+    return set;
+  }
 
   /// Vertex x of row r, in word r / 8.
   static uint64_t bit(std::size_t r, int x) { return uint64_t{1} << (r % kBrickSide * kBrickSide + static_cast<unsigned>(x)); }
@@ -40,17 +64,24 @@ class Tube {
     table_ = &signs.table();
     at_ = table_->brick(place);
     window_.load(signs, at_);
-    members_ = {};
-    positive_ = {};
-    gather(signs.lattice(), [&](const Coordinates<D>& v) {
-      const uint32_t ends = axisEnds(Window<D>::row(v));
-      return members == Members::AxisEnds ? ends : diagonalEnds(v) & ~ends;
-    });
+    findAxisEnds(signs.lattice());
+    if (members == Members::AxisEnds) return;
+    const VertexSet<D> ends = members_;
+    addDiagonalEnds(signs);
+    keepOnly([&](std::size_t r, int x) { return !ends.has(r, x); });
   }
 
   /// Adds the other class to the axis ends entered.
   void addDiagonalEnds(const Signs<D>& signs) {
-    gather(signs.lattice(), [&](const Coordinates<D>& v) { return diagonalEnds(v); });
+    const auto inside = VertexSet<D>::upTo(signs.lattice().last, at_);
+    Coordinates<D> v{};
+    for (std::size_t r = 0; r < kRows; ++r) {
+      const unsigned shift = r % kBrickSide * kBrickSide;
+      const uint64_t ends = uint64_t{diagonalEnds(v)} << shift & inside.words[r / kBrickSide];
+      members_.words[r / kBrickSide] |= ends;
+      positive_.words[r / kBrickSide] |= uint64_t{bits(Window<D>::row(v)) >> Window<D>::kHalo} << shift & ends;
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
   }
 
   /// Leaves out the members that `keeps(r, x)` does not want.
@@ -98,27 +129,30 @@ class Tube {
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
   [[nodiscard]] uint32_t bits(int row) const { return window_.rows[row]; }
 
-  /// Adds the vertices inside the lattice that ends(v) has of the row through v.
-  template <class Ends>
-  void gather(const Lattice<D>& lattice, Ends ends) {
-    uint32_t inside = 0;
-    for (int x = 0; x < kBrickSide && at_[0] * kBrickSide + x <= lattice.last[0]; ++x) inside |= 1u << x;
-    Coordinates<D> v{};
-    for (std::size_t r = 0; r < kRows; ++r) {
-      bool in = true;
-      for (int a = 1; a < D; ++a) in = in && at_[a] * kBrickSide + v[a] <= lattice.last[a];
-      const uint64_t mask = !in ? 0 : inside & ends(v);
-      members_.words[r / kBrickSide] |= mask << (r % kBrickSide * kBrickSide);
-      positive_.words[r / kBrickSide] |= (mask & bits(Window<D>::row(v)) >> Window<D>::kHalo) << (r % kBrickSide * kBrickSide);
-      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+  /// Eight rows at a time.
+  void findAxisEnds(const Lattice<D>& lattice) {
+    using Rows [[gnu::vector_size(16)]] = uint16_t;
+    const auto rowsAt = [&](int first) {
+      Rows rows;
+      std::memcpy(&rows, &window_.rows[static_cast<std::size_t>(first)], sizeof rows);
+      return rows;
+    };
+    members_ = VertexSet<D>::upTo(lattice.last, at_);
+    for (std::size_t w = 0; w < members_.words.size(); ++w) {
+      const int first = Window<D>::kOwnRows[w * kBrickSide];
+      const Rows mine = rowsAt(first);
+      Rows crossing = (mine ^ mine >> 1) | (mine ^ mine << 1);
+      for (int a = 1; a < D; ++a) crossing |= (mine ^ rowsAt(first - Window<D>::rowStride(a))) | (mine ^ rowsAt(first + Window<D>::rowStride(a)));
+      members_.words[w] &= joined(crossing >> Window<D>::kHalo);
+      positive_.words[w] = members_.words[w] & joined(mine >> Window<D>::kHalo);
     }
   }
-
-  [[nodiscard]] uint32_t axisEnds(int row) const {
-    const uint32_t mine = bits(row);
-    uint32_t crossing = (mine ^ mine >> 1) | (mine ^ mine << 1);
-    for (int a = 1; a < D; ++a) crossing |= (mine ^ bits(row - Window<D>::rowStride(a))) | (mine ^ bits(row + Window<D>::rowStride(a)));
-    return crossing >> Window<D>::kHalo & 0xFF;
+  /// The lower bytes of eight rows.
+  template <class Rows>
+  static uint64_t joined(Rows rows) {
+    uint64_t word = 0;
+    for (unsigned y = 0; y < kBrickSide; ++y) word |= uint64_t{static_cast<uint8_t>(rows[y])} << y * kBrickSide;
+    return word;
   }
 
   /// An edge of the RBMT along several axes joins a vertex even on all of them to one odd on all of them.
