@@ -233,9 +233,16 @@ class RefinementCoder {
     findRows(signs.lattice(), at, dimension);
     if (absent_ != nullptr) absentWindow_.load(*absent_, at);
     openCount_ = 0;
+    // Of eight rows along axis 1, those on its fresh planes have the same axes, and the others have.
+    std::array<typename Window<D>::Rows, 2> crossed{};
+    std::array<int, 2> eights{-1, -1};
     for (int i = 0; i < rowCount_; ++i) {
+      const std::size_t kind = rows_[i].fresh >> 1 & 1;
+      const int eight = rows_[i].brick / kBrickSide, row = rows_[i].brick % kBrickSide;
+      if (eights[kind] != eight) crossed[kind] = crossing(rows_[i].window - row, rows_[i].fresh);
+      eights[kind] = eight;
       rows_[i].absent = absent_ == nullptr ? uint8_t{0} : static_cast<uint8_t>(besideAbsent(rows_[i]) & rows_[i].members);
-      rows_[i].open = static_cast<uint8_t>(crossing(rows_[i]) & rows_[i].members & ~rows_[i].absent);
+      rows_[i].open = static_cast<uint8_t>(crossed[kind][row] & rows_[i].members & ~rows_[i].absent);
       open_[static_cast<std::size_t>(openCount_)] = static_cast<uint16_t>(i);
       openCount_ += rows_[i].open != 0 ? 1 : 0;
     }
@@ -273,14 +280,14 @@ class RefinementCoder {
     }
   }
 
-  /// Which vertices of a row have a diamond of both signs: all at once.
-  [[nodiscard]] Bits crossing(const Row& row) const {
-    const auto& n = neighbourhoods_[row.fresh];
-    Bits some = 0, all = ~0u;
+  /// Which vertices of eight rows have a diamond of both signs, if they are fresh on these axes: all at once.
+  [[nodiscard]] typename Window<D>::Rows crossing(int first, unsigned fresh) const {
+    const auto& n = neighbourhoods_[fresh];
+    typename Window<D>::Rows some{}, all = ~some;
     for (int i = 0; i < n.diamondCount(); ++i) {
-      const Bits bits = static_cast<Bits>(window_.rows[row.window + n.diamond[i].rows]) >> (Window<D>::kHalo + n.diamond[i].bits);
-      some |= bits;
-      all &= bits;
+      const auto rows = window_.eightFrom(first + n.diamond[i].rows) >> (Window<D>::kHalo + n.diamond[i].bits);
+      some |= rows;
+      all &= rows;
     }
     return some & ~all;
   }

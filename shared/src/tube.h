@@ -2,7 +2,6 @@
 #pragma once
 
 #include <bit>
-#include <cstring>
 
 #include "window.h"
 
@@ -131,25 +130,18 @@ class Tube {
 
   /// Eight rows at a time.
   void findAxisEnds(const Lattice<D>& lattice) {
-    using Rows [[gnu::vector_size(16)]] = uint16_t;
-    const auto rowsAt = [&](int first) {
-      Rows rows;
-      std::memcpy(&rows, &window_.rows[static_cast<std::size_t>(first)], sizeof rows);
-      return rows;
-    };
     members_ = VertexSet<D>::upTo(lattice.last, at_);
     for (std::size_t w = 0; w < members_.words.size(); ++w) {
       const int first = Window<D>::kOwnRows[w * kBrickSide];
-      const Rows mine = rowsAt(first);
-      Rows crossing = (mine ^ mine >> 1) | (mine ^ mine << 1);
-      for (int a = 1; a < D; ++a) crossing |= (mine ^ rowsAt(first - Window<D>::rowStride(a))) | (mine ^ rowsAt(first + Window<D>::rowStride(a)));
+      const auto mine = window_.eightFrom(first);
+      auto crossing = (mine ^ mine >> 1) | (mine ^ mine << 1);
+      for (int a = 1; a < D; ++a) crossing |= (mine ^ window_.eightFrom(first - Window<D>::rowStride(a))) | (mine ^ window_.eightFrom(first + Window<D>::rowStride(a)));
       members_.words[w] &= joined(crossing >> Window<D>::kHalo);
       positive_.words[w] = members_.words[w] & joined(mine >> Window<D>::kHalo);
     }
   }
   /// The lower bytes of eight rows.
-  template <class Rows>
-  static uint64_t joined(Rows rows) {
+  static uint64_t joined(typename Window<D>::Rows rows) {
     uint64_t word = 0;
     for (unsigned y = 0; y < kBrickSide; ++y) word |= uint64_t{static_cast<uint8_t>(rows[y])} << y * kBrickSide;
     return word;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 #include "bricks.h"
 
@@ -39,6 +40,14 @@ class Window {
   }
 
   std::array<uint16_t, kRows> rows;
+
+  /// Eight rows one after the other along axis 1, as a vector of the machine.
+  using Rows [[gnu::vector_size(16)]] = uint16_t;
+  [[nodiscard]] Rows eightFrom(int row) const {
+    Rows eight;
+    std::memcpy(&eight, &rows[static_cast<std::size_t>(row)], sizeof eight);
+    return eight;
+  }
 
   /// Where the rows of the brick itself are.
   static constexpr std::array<int16_t, power(kBrickSide, D - 1)> kOwnRows = [] {
