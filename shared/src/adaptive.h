@@ -42,6 +42,7 @@ class AdaptiveMesh {
     absent_.push_back(std::move(absent));
   }
 
+  Displacements<D> coarserDisplacements;  // of the octave before the last one, where no scalars are known
   Kernel kernel = Kernel::Middle, coarserKernel = Kernel::Middle;  // place the last octave's surface where no scalars are known, and others'
 
   [[nodiscard]] int level() const { return static_cast<int>(signs_.size()) - 1; }
@@ -53,6 +54,7 @@ class AdaptiveMesh {
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     uint64_t sum = coders_ ? coders_->refinement.memory() + coders_->filling.memory() : 0;
+    sum += coarserDisplacements.memory();
     for (const auto& s : signs_) sum += s.memory();
     for (const auto& s : absent_) sum += s.memory();
     for (const auto& o : octaves_) sum += o.memory();
@@ -257,7 +259,8 @@ class AdaptiveMesh {
   /// are better estimated on finer octaves.
   ISOSTAR_SELDOM void estimate(int level, int finer, AdaptiveOctave<D>& octave) const {
     const Scalars<D> before = octave.scalars;
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars, {level == this->level() ? kernel : coarserKernel});
+    const Hints<D> hints = level == this->level() ? Hints<D>{kernel} : Hints<D>{coarserKernel, level + 1 == this->level() ? &coarserDisplacements : nullptr};
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars, hints);
     if (level == this->level()) return;
     const auto& table = octave.signs.table();
     for (std::size_t place = 0; place < table.total(); ++place) {

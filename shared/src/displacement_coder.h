@@ -23,10 +23,10 @@ class DisplacementCoder {
 
  private:
   using Values = Displacements<D>;
-  static constexpr int kInputs = 3;
+  static constexpr int kInputs = 4;
   static constexpr int kMost = 4;  // steps at a time
   static constexpr std::size_t kDecisions = kMost + 1;
-  static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4;
+  static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4, kWideTrusts = 8;
 
   template <class Exchange>
   void cubes(Exchange& ask, const Signs<D>& signs, Values& displacements, std::size_t place, const DisplacementPass& pass) {
@@ -81,9 +81,25 @@ class DisplacementCoder {
     });
   }
 
-  /// How those beside a cube differ from it: below it, where all has been told, and all around; and how much of it the surface takes.
+  /// How those beside a cube differ from it: below it, where all has been told, and all around, then the same of a block's
+  /// neighbours along one axis or two; how many there are below; and how much of the cube the surface takes.
   struct Context {
-    std::size_t below, around, trust, share;
+    std::size_t below, around, wideBelow, wideAround, trust, wideTrust, share;
+  };
+  /// Differences, summed up.
+  struct Differences {
+    int sum = 0, count = 0;
+
+    void add(int8_t value, int own, int weight = 1) {
+      if (value != Values::kNone) sum += weight * (value - own), count += weight;
+    }
+    [[nodiscard]] Differences with(const Differences& other) const { return {sum + other.sum, count + other.count}; }
+    /// Their mean as a context, one of `most`, which reach two steps up and down.
+    [[nodiscard]] std::size_t mean(int step, int most) const {
+      const int half = most / 2, unit = std::max(count, 1) * step;
+      const int rounded = (std::abs(sum) * half + unit) / (2 * unit);
+      return static_cast<std::size_t>(std::clamp(sum < 0 ? -rounded : rounded, -half, half) + half);
+    }
   };
 
   template <class Exchange>
@@ -107,22 +123,41 @@ class DisplacementCoder {
 
   [[nodiscard]] Context context(std::size_t corner, int side, int step, int own, int members) const {
     const int8_t* here = &window_.value[static_cast<std::size_t>(DisplacementWindow<D>::index(corner))];
-    int below = 0, above = 0, belows = 0, aboves = 0;
+    Differences below, above;
     for (int a = 0; a < D; ++a) {
-      const int8_t lower = here[-DisplacementWindow<D>::stride(a)], upper = here[side * DisplacementWindow<D>::stride(a)];
-      if (lower != Values::kNone) below += lower - own, ++belows;
-      if (upper != Values::kNone) above += upper - own, ++aboves;
+      below.add(here[-DisplacementWindow<D>::stride(a)], own);
+      above.add(here[side * DisplacementWindow<D>::stride(a)], own);
     }
-    return {mean(below, belows, step, kMeans), mean(below + above, belows + aboves, step, kWideMeans),
-            static_cast<std::size_t>(std::min(belows, kTrusts - 1)), static_cast<std::size_t>(std::min((members - 1) / 2, kShares - 1))};
+    Differences wideBelow = below, wideAbove = above;
+    if (side == 1) {
+      wideBelow = wideAbove = {};
+      for (const Neighbour& n : kNeighbours) (n.offset < 0 ? wideBelow : wideAbove).add(here[n.offset], own, n.weight);
+    }
+    return {below.mean(step, kMeans), below.with(above).mean(step, kWideMeans), wideBelow.mean(step, kWideMeans), wideBelow.with(wideAbove).mean(step, kWideMeans),
+            static_cast<std::size_t>(std::min(below.count, kTrusts - 1)), static_cast<std::size_t>(std::min(wideBelow.count / 2, kWideTrusts - 1)),
+            static_cast<std::size_t>(std::min((members - 1) / 2, kShares - 1))};
   }
 
-  /// A mean of differences as a context, one of `most`, which reach two steps up and down.
-  static std::size_t mean(int sum, int count, int step, int most) {
-    const int half = most / 2, unit = std::max(count, 1) * step;
-    const int rounded = (std::abs(sum) * half + unit) / (2 * unit);
-    return static_cast<std::size_t>(std::clamp(sum < 0 ? -rounded : rounded, -half, half) + half);
-  }
+  /// A block's neighbour one step away on one axis or two, in a window.
+  struct Neighbour {
+    int16_t offset, weight;
+  };
+  static constexpr auto kNeighbours = [] {
+    std::array<Neighbour, 2 * D * D> neighbours{};
+    std::size_t count = 0;
+    for (int a = 0; a < D; ++a) {
+      for (int b = 0; b <= a; ++b) {
+        for (const int up : {-1, 1}) {
+          for (const int side : {-1, 1}) {
+            if (a == b && side != up) continue;
+            const int offset = up * DisplacementWindow<D>::stride(a) + (a == b ? 0 : side * DisplacementWindow<D>::stride(b));
+            neighbours[count++] = {static_cast<int16_t>(offset), static_cast<int16_t>(a == b ? 2 : 1)};
+          }
+        }
+      }
+    }
+    return neighbours;
+  }();
 
   template <class Exchange>
   int tell(Exchange& ask, const Context& c, int truth) {
@@ -130,7 +165,8 @@ class DisplacementCoder {
       return Mixer<kInputs>::template bit<255, 11>(
           ask.coder(), value,
           {&byBelow_[((decision * kMeans + c.below) * kTrusts + c.trust) * kShares + c.share], &byAround_[(decision * kWideMeans + c.around) * kTrusts + c.trust],
-           &byBoth_[(decision * kMeans + c.below) * kWideMeans + c.around]},
+           &byBoth_[(decision * kMeans + c.below) * kWideMeans + c.around],
+           &byWide_[((decision * kWideMeans + c.wideBelow) * kWideTrusts + c.wideTrust) * kWideMeans + c.wideAround]},
           weights_[decision]);
     };
     if (!decide(0, truth != 0)) return 0;
@@ -146,6 +182,7 @@ class DisplacementCoder {
   std::array<Chance, kDecisions * kMeans * kTrusts * kShares> byBelow_;
   std::array<Chance, kDecisions * kWideMeans * kTrusts> byAround_;
   std::array<Chance, kDecisions * kMeans * kWideMeans> byBoth_;
+  std::array<Chance, kDecisions * kWideMeans * kWideTrusts * kWideMeans> byWide_;
   std::array<typename Mixer<kInputs>::Weights, kDecisions> weights_;
 };
 

@@ -88,8 +88,9 @@ DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>&
   forCrossedRows(signs, active, false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
     for (; crossed != 0; crossed &= crossed - 1) {
       const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-      const double even = field.scalar(ends.even), at = even / (even - field.scalar(ends.odd));
-      crossings_.push_back(static_cast<float>(even > 0 ? at : -1 - at));
+      const auto even = signs.lattice().samples(ends.even), odd = signs.lattice().samples(ends.odd);
+      const double at = field.crossing(even, odd, static_cast<std::size_t>(std::countr_zero(axes)));
+      crossings_.push_back(static_cast<float>(field.scalar(even) > 0 ? at : -1 - at));
     }
   });
 }

@@ -63,14 +63,25 @@ void tellGeometry(LayerWriter<D>& layers, const Header& header) {
   }
 }
 
+constexpr uint64_t kFewestDisplaced = 1000;  // vertices: below that a layer's head takes too large a part
+
+/// One pass on the octave before the finest, where it pays: the finer octave's signs tell most of it again.
+template <int D>
+void tellCoarseDisplacements(LayerWriter<D>& layers) {
+  constexpr DisplacementPass kPass{2, 12};
+  constexpr double kPays = 0.87;  // so much of the error is left
+  const DisplacementPlan<D> plan = layers.displacementPlan();
+  auto next = plan.next(layers.displacements(), kPass);
+  const double left = plan.error(plan.reached(layers.displacements(), next.steps, kPass));
+  if (left <= kPays * next.error) layers.displace(kPass, std::move(next.steps));
+}
+
 /// Displacements come before scalars, of cubes of 4 vertices, then of 2, and once more of half the step where that pays: scalars tell
 /// them nearly as well later, and smooth surfaces gain most.
 template <int D>
-void tellDisplacements(LayerWriter<D>& layers, const Header& header) {
+void tellDisplacements(LayerWriter<D>& layers) {
   constexpr std::array<DisplacementPass, 3> kPasses{{{2, 12}, {1, 12}, {1, 6}}};
   constexpr double kNear = 0.09, kPays = 0.835;  // grid steps before the last pass, and so much of that is left
-  constexpr uint64_t kFewest = 1000;  // vertices: below that a layer's head takes too large a part
-  if (header.vertices < kFewest) return;
   const DisplacementPlan<D> plan = layers.displacementPlan();
   for (const DisplacementPass& pass : kPasses) {
     auto next = plan.next(layers.displacements(), pass);
@@ -153,10 +164,13 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
     }
   }
   LayerWriter<D> layers(header, options, sources.front());
-  layers.signs();
+  const bool displaces = header.vertices >= kFewestDisplaced;
+  layers.signs([&](int level) {
+    if (displaces && level + 1 == header.octaves()) tellCoarseDisplacements(layers);
+  });
   if (header.trimmed && header.vertices != 0) layers.domain();
   if (header.vertices != 0) {
-    tellDisplacements(layers, header);
+    if (displaces) tellDisplacements(layers);
     tellGeometry(layers, header);
   }
   for (std::size_t i = 1; i < sources.size(); ++i) {

@@ -114,7 +114,7 @@ class AdaptiveWriter {
 
   /// RMS distance of what a decoder shows now.
   [[nodiscard]] double error() const {
-    if (mesh_.level() < plan_.octaves()) return distance_.rms(mesh_.shown(mesh_.level())->signs, mesh_.kernel);
+    if (mesh_.level() < plan_.octaves()) return distance_.rms(mesh_.shown(mesh_.level())->signs, {mesh_.kernel});
     constexpr std::size_t kSamples = 4096;
     const auto shown = *mesh_.shown(mesh_.level());
     double sum = 0;

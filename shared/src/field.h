@@ -50,6 +50,18 @@ class GridField {
     return (double{samples_[here + up]} - double{samples_[here - down]}) * (up != 0 && down != 0 ? 0.5 : 1);
   }
   [[nodiscard]] const Coordinates<D>& last() const { return last_; }
+  /// Where the edge along an axis between two samples of different signs is crossed, 0 … 1 from `from` to `to`: one of the places if there are several.
+  [[nodiscard]] double crossing(const Coordinates<D>& from, const Coordinates<D>& to, std::size_t axis) const {
+    auto low = from, high = to;
+    const bool positive = scalar(from) > 0;
+    while (std::abs(high[axis] - low[axis]) > 1) {
+      auto middle = low;
+      middle[axis] += (high[axis] - low[axis]) / 2;
+      ((scalar(middle) > 0) == positive ? low : high) = middle;
+    }
+    const double at = scalar(low) / (scalar(low) - scalar(high));
+    return (low[axis] - from[axis] + at * (high[axis] - low[axis])) / (to[axis] - from[axis]);
+  }
 
   /// Signs on the finest octave, of all samples; coarsened() tells the others.
   [[nodiscard]] Signs<D> signs() const;

@@ -26,6 +26,10 @@ struct Lattice {
 
   [[nodiscard]] Lattice finer() const { return Lattice(box, step / 2); }
   [[nodiscard]] int32_t sample(int axis, int32_t plane) const { return std::min(plane * step, box[axis]); }
+  [[nodiscard]] Coordinates<D> samples(Coordinates<D> planes) const {
+    for (int a = 0; a < D; ++a) planes[a] = sample(a, planes[a]);
+    return planes;
+  }
   /// Does the plane first appear on this octave?
   [[nodiscard]] bool fresh(int axis, int32_t plane) const { return (plane & 1) != 0 && plane != last[axis]; }
   /// The coarser octave's plane that coincides with this one or, for a fresh one, precedes it.

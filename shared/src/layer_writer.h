@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "displacement_plan.h"
 #include "encode_topology.h"
 #include "isostar/isostar.h"
 #include "layers.h"
@@ -17,7 +18,9 @@ class LayerWriter {
   LayerWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
       : options_(options), octaves_(header.octaves()), source_(&first), known_(header) {}
 
-  void signs() {
+  /// The signs of all octaves; after(level) may tell more of each but those of streams of one topology.
+  template <class After>
+  void signs(After after) {
     const Signs<D>& finest = source_->signs();
     std::vector<Signs<D>> coarse(static_cast<std::size_t>(octaves_));
     for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
@@ -37,6 +40,7 @@ class LayerWriter {
         if (level == 0) known_.base(ask);
         else known_.refine(ask);
       });
+      if (!known_.partial) after(level);
       if (options_.progress) options_.progress(0.5 * (level + 1) / (octaves_ + 1));
     }
   }
@@ -53,7 +57,7 @@ class LayerWriter {
   }
 
   void geometry(const GeometryPass<D>& pass) {
-    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::NearGeometry, number_ == 0 ? octaves_ : number_, 0, 0, 0};
+    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::NearGeometry, number_ == 0 ? known_.level : number_, 0, 0, 0};
     tell(
         head, source_->signs(),
         [&](auto& ask) {
@@ -79,7 +83,11 @@ class LayerWriter {
     source_->quantized().displace(std::move(steps));
     geometry(geometryPass);
   }
-  [[nodiscard]] DisplacementPlan<D> displacementPlan() const { return source_->displacementPlan(known_.kernel); }
+  /// Of the octave told last.
+  [[nodiscard]] DisplacementPlan<D> displacementPlan() {
+    if (known_.active.empty()) known_.findActive();
+    return DisplacementPlan<D>(source_->field(), known_.signs, known_.active, known_.kernel);
+  }
   [[nodiscard]] const Displacements<D>& displacements() const { return known_.displacements; }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
@@ -119,8 +127,8 @@ class LayerWriter {
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (known_.partial) return distance.rms(known_.partial->shown(octaves_)->signs, known_.partial->kernel);
-    if (known_.level < octaves_) return distance.rms(known_.signs, known_.kernel);
+    if (known_.partial) return distance.rms(known_.partial->shown(octaves_)->signs, {known_.partial->kernel});
+    if (known_.level < octaves_) return distance.rms(known_.signs, known_.hints());
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());
     const NearSurface<D>& last = known_.near.surfaces().back();
     if (last.told[0]) return distance.rms(last.signs, last.scalars);

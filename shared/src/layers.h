@@ -108,6 +108,8 @@ struct Knowledge {
     }
     signs = std::move(finer);
     kernel = shown;
+    displacements = {};
+    active = {};
     ++level;
   }
 
@@ -137,6 +139,8 @@ struct Knowledge {
     partial.emplace(std::move(signs), std::move(unfinished), std::move(untold));
     partial->kernel = unfinishedKernel;
     partial->coarserKernel = kernel;
+    partial->coarserDisplacements = std::move(displacements);
+    displacements = {};
   }
   /// Bytes that this takes at most.
   [[nodiscard]] uint64_t memoryToKeepUnfinished() const {
@@ -144,7 +148,7 @@ struct Knowledge {
     return memory() + unfinished.memory() + Signs<D>::memoryToFill(places, places);
   }
 
-  /// Where scalars may be told: the last refinement knows, if there was one.
+  /// Where displacements and scalars may be told: the last refinement knows, if there was one.
   void findActive() {
     active = refinement.takeActive();
     if (active.size() != signs.table().total()) active = activeBricks(signs);
@@ -189,7 +193,7 @@ struct Knowledge {
     else near.halvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
   }
 
-  /// Of the first isovalue's finest octave.
+  /// Of the octave that is known, of the first isovalue.
   [[nodiscard]] Hints<D> hints() const { return {kernel, &displacements}; }
   [[nodiscard]] typename CloseBy<D>::First first() const { return {header.isovalue, signs, scalars}; }
 
@@ -226,8 +230,8 @@ struct Knowledge {
   Kernel unfinishedKernel = Kernel::Narrow;
   std::array<Chance, 2> kernelModel;
   RefinementCoder<D> refinement;
-  std::vector<uint8_t> active;  // bricks of the finest octave; empty before its scalars or the domain are told
-  Displacements<D> displacements;
+  std::vector<uint8_t> active;  // bricks of the octave that is known; empty before its displacements, its scalars or the domain are told
+  Displacements<D> displacements;  // of the octave that is known
   Scalars<D> scalars;
   Scalars<D> domain;  // of a trimmed stream: see DomainCoder
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?

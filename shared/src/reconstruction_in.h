@@ -97,7 +97,7 @@ class ReconstructionIn : public Reconstruction {
   }
 
  private:
-  /// The base first, then each octave, then where the domain ends, then geometry on the finest; then signs and geometry of each further isovalue.
+  /// The base first, then each octave, displacements after any of them, then where the domain ends, then geometry on the finest; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
     const int octaves = header_.octaves(), nearTold = static_cast<int>(known_.near.surfaces().size());
     if (isNear(kind)) {
@@ -105,6 +105,7 @@ class ReconstructionIn : public Reconstruction {
     }
     if (nearTold != 0) return false;
     if (!based_) return kind == LayerKind::Base && level == 0;
+    if (known_.level < octaves && kind == LayerKind::Displacement) return !known_.partial && level == known_.level;
     if (known_.level < octaves) return kind == LayerKind::Refinement && level == known_.level + 1;
     if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == octaves;
     return (kind == LayerKind::Octaves || kind == LayerKind::Halving || kind == LayerKind::Displacement) && level == octaves;

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "displacement_plan.h"
 #include "field.h"
 #include "source_distance.h"
 
@@ -30,7 +29,6 @@ class Source {
   }
   [[nodiscard]] QuantizedField<D>& quantized() { return *quantized_; }
   [[nodiscard]] const SourceDistance<D>& distance() const { return *distance_; }
-  [[nodiscard]] DisplacementPlan<D> displacementPlan(Kernel kernel) const { return DisplacementPlan<D>(field_, signs_, active_, kernel); }
 
  private:
   double isovalue_;

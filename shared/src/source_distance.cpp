@@ -100,11 +100,11 @@ double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, int evenAt, in
 }
 
 template <int D>
-double SourceDistance<D>::rms(const Signs<D>& coarse, Kernel kernel) const {
+double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) const {
   constexpr std::size_t kSamples = 128;  // each searches for the nearest vertex
   constexpr double kBeside = 0.75;       // steps of the octave: so far beside a vertex the surface goes on as a plane
   if (samples_.empty()) return 0;
-  const VertexCloud<D> cloud(coarse, unit_, kernel);
+  const VertexCloud<D> cloud(coarse, unit_, hints);
   if (cloud.empty()) {
     Point box;
     for (std::size_t a = 0; a < D; ++a) box[a] = field_.last()[a] * unit_[a];

@@ -17,7 +17,7 @@ class SourceDistance {
 
   /// RMS distance from the source's surface to what `cubes` makes of a coarse octave's signs: what is missing counts, too.
   /// Where there is nothing yet, the diagonal of the box.
-  [[nodiscard]] double rms(const Signs<D>& coarse, Kernel kernel) const;
+  [[nodiscard]] double rms(const Signs<D>& coarse, const Hints<D>& hints) const;
   /// RMS distance of the finest octave's surface; scalars without places stand for none told.
   [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints = {}) const;
 

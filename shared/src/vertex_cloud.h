@@ -14,11 +14,11 @@ class VertexCloud {
  public:
   using Point = std::array<double, D>;
 
-  /// Of the surface that `cubes` makes of an octave's signs alone, as a kernel places it. `unit`: the distance between samples by axis, at least 1.
-  VertexCloud(const Signs<D>& signs, const Point& unit, Kernel kernel) : lattice_(signs.lattice()), table_(signs.table()), first_(table_.total() + 1), unit_(unit) {
+  /// Of the surface that `cubes` makes of an octave's signs alone, as they are hinted to place it. `unit`: the distance between samples by axis, at least 1.
+  VertexCloud(const Signs<D>& signs, const Point& unit, const Hints<D>& hints) : lattice_(signs.lattice()), table_(signs.table()), first_(table_.total() + 1), unit_(unit) {
     const auto active = activeBricks(signs);
     Scalars<D> scalars(active.size());
-    estimateMissing(signs, active, Members::AxisEnds, 0, scalars, {kernel});
+    estimateMissing(signs, active, Members::AxisEnds, 0, scalars, hints);
     ScalarWindow<D> window;
     std::size_t entered = 0;
     auto finish = [&](std::size_t place) {

@@ -130,6 +130,28 @@ TEST(Prefix, aTornLayerIsNoWorseThanNone) {
   }
 }
 
+TEST(Prefix, theOctaveBeforeTheFinestIsDisplaced) {
+  // A plane that lies a step off where the signs of that octave put it.
+  const Size size{49, 49, 49};
+  const Bytes bytes = encoded(sampled("plane", size, [](double x, double y, double z) { return z - 21.9 - 0.02 * x + 0.01 * y; }));
+  const StreamInfo info = decoderOf(bytes).info();
+  const auto off = [&](const LayerInfo& layer) {
+    const Mesh mesh = meshOf(decoderOf(std::span(bytes).first(layer.offset)), {Polygonizer::Cubes, Frame::Grid, false});
+    double sum = 0;
+    for (uint32_t i = 0; i < verticesOf(mesh); ++i) {
+      const Point p = pointAt(mesh.positions, i);
+      const double distance = p[2] - 21.9 - 0.02 * p[0] + 0.01 * p[1];
+      sum += distance * distance;
+    }
+    return std::sqrt(sum / verticesOf(mesh));
+  };
+  const auto displaced = std::find_if(info.layers.begin(), info.layers.end(), [](const LayerInfo& layer) { return layer.kind == "geometry"; });
+  ASSERT_NE(displaced, info.layers.end());
+  EXPECT_EQ(displaced->level, info.layers.back().level - 1);
+  EXPECT_LT(off(*displaced), 0.6 * off(displaced[-1]));
+  EXPECT_LT(displaced->error, displaced[-1].error);
+}
+
 TEST(Prefix, layersSayWhereTheyEnd) {
   const Bytes bytes = encoded(sampled("gyroid", {30, 20, 25}, gyroid()));
   const StreamInfo whole = decoderOf(bytes).info();

@@ -67,11 +67,12 @@ std::vector<float> sampled(double (*f)(double, double, double)) {
   return samples;
 }
 
-/// The error that is left after cubes of 4 and of 2 vertices, of what the signs alone leave.
-double left(double (*f)(double, double, double), Kernel kernel) {
+/// The error that is left after cubes of 4 and of 2 vertices, of what the signs alone leave; so many octaves before the finest.
+double left(double (*f)(double, double, double), Kernel kernel, int coarser = 0) {
   const auto samples = sampled(f);
   const GridField<3> field(samples, {33, 33, 33}, 0);
-  const auto signs = field.signs();
+  auto signs = field.signs();
+  while (coarser-- > 0) signs = coarsened(signs);
   const auto active = activeBricks(signs);
   const DisplacementPlan<3> plan(field, signs, active, kernel);
   const double first = plan.error({});
@@ -84,6 +85,13 @@ TEST(Displacement, findsWhatSignsLeaveOpen) {
   for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
     EXPECT_LT(left([](double, double, double z) { return z - 15.85; }, kernel), 0.1);
     EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, kernel), 0.7);
+  }
+}
+
+TEST(Displacement, findsWhatSignsOfCoarserOctavesLeaveOpen) {
+  for (const int coarser : {1, 2}) {
+    EXPECT_LT(left([](double, double, double z) { return z - 13.3; }, Kernel::Narrow, coarser), 0.15) << coarser;
+    EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, Kernel::Narrow, coarser), 0.8) << coarser;
   }
 }
 

@@ -117,5 +117,24 @@ TEST(Field, gradientIsTheMedianDifference) {
   }
 }
 
+TEST(GridField, findsWhereEdgesOfEachOctaveAreCrossed) {
+  std::vector<float> samples;
+  for (int x = 0; x < 12; ++x) samples.push_back(static_cast<float>(x - 6.25));
+  samples.resize(24, 1.0f);
+  const GridField<2> field(samples, {12, 2}, 0);
+  EXPECT_DOUBLE_EQ(field.crossing({6, 0}, {7, 0}, 0), 0.25);
+  EXPECT_DOUBLE_EQ(field.crossing({7, 0}, {6, 0}, 0), 0.75);
+  EXPECT_DOUBLE_EQ(field.crossing({4, 0}, {8, 0}, 0), 2.25 / 4);
+  EXPECT_DOUBLE_EQ(field.crossing({8, 0}, {0, 0}, 0), 1.75 / 8);
+  EXPECT_DOUBLE_EQ(field.crossing({11, 0}, {4, 0}, 0), 4.75 / 7);
+}
+
+TEST(GridField, findsOneOfSeveralCrossings) {
+  const std::vector<float> samples{1, -3, 1, -1, -1, 1, 1, 1};
+  const GridField<2> field(samples, {4, 2}, 0);
+  const double at = field.crossing({0, 0}, {3, 0}, 0) * 3;
+  EXPECT_TRUE(at == 0.25 || at == 1.75 || at == 2.5) << at;
+}
+
 }  // namespace
 }  // namespace isostar
