@@ -55,24 +55,12 @@ std::size_t cubeOf(std::size_t block, int log2Side) {
   return corner;
 }
 
-/// Of a vertex in a brick, or of one next to it.
-template <int D>
-int32_t displacementAt(const DisplacementWindow<D>& displaced, const std::type_identity_t<Coordinates<D>>& brick, std::type_identity_t<Coordinates<D>> vertex) {
-  std::size_t number = 0;
-  bool inside = true;
-  for (int a = D - 1; a >= 0; --a) {
-    vertex[a] -= brick[a] * kBrickSide;
-    inside = inside && vertex[a] < kBrickSide;
-    number = number * kBrickSide + static_cast<std::size_t>(vertex[a]);
-  }
-  return inside ? displaced.at(number / kBrickSide, static_cast<int>(number % kBrickSide)) : displaced.smooth(vertex);
-}
-
 }  // namespace
 
 template <int D>
 DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel)
-    : signs_(signs), active_(active), estimates_(active.size()), blocks_(active.size()) {
+    : signs_(signs), active_(active), first_(active.size() + 1), blocks_(active.size()) {
+  Scalars<D> estimates(active.size());
   Tube<D> tube;
   ShapeEstimate<D> shapes(kernel);
   for (std::size_t place = 0; place < active.size(); ++place) {
@@ -80,19 +68,64 @@ DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>&
     tube.enter(signs, place, Members::AxisEnds);
     if (tube.empty()) continue;
     shapes.load(tube.window());
-    auto& brick = estimates_.writable(place);
+    auto& brick = estimates.writable(place);
     tube.forEach([&](int, std::size_t r, int x) { brick.value[r * kBrickSide + static_cast<std::size_t>(x)] = shapes.sum(r, x); });
     auto& blocks = blocks_.writable(place);
     tube.forEach(true, [&](int, std::size_t r, int x) { blocks[Displacements<D>::block(r, x)] = 1; });
   }
-  forCrossedRows(signs, active, false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-    for (; crossed != 0; crossed &= crossed - 1) {
-      const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-      const auto even = signs.lattice().samples(ends.even), odd = signs.lattice().samples(ends.odd);
-      const double at = field.crossing(even, odd, static_cast<std::size_t>(std::countr_zero(axes)));
-      crossings_.push_back(static_cast<float>(field.scalar(even) > 0 ? at : -1 - at));
-    }
-  });
+  const auto& table = signs.table();
+  ScalarWindow<D> window;
+  std::size_t entered = 0;
+  const auto finish = [&](std::size_t place) {
+    while (entered < place) first_[++entered] = edges_.size();
+  };
+  forCrossedRows(
+      signs, active, false,
+      [&](std::size_t place) {
+        finish(place);
+        window.load(estimates, table, table.brick(place));
+      },
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        for (; crossed != 0; crossed &= crossed - 1) {
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          edges_.push_back(edgeOf(field, signs, ends, brick, std::countr_zero(axes)));
+          edges_.back().estimates = {window.value[static_cast<std::size_t>(ends.evenAt)], window.value[static_cast<std::size_t>(ends.oddAt)]};
+        }
+      });
+  finish(active.size());
+}
+
+template <int D>
+typename DisplacementPlan<D>::Edge DisplacementPlan<D>::edgeOf(const GridField<D>& field, const Signs<D>& signs, const EdgeEnds<D>& ends, const Coordinates<D>& brick, int axis) {
+  const auto even = signs.lattice().samples(ends.even), odd = signs.lattice().samples(ends.odd);
+  const double at = field.crossing(even, odd, static_cast<std::size_t>(axis));
+  const bool positive = field.scalar(even) > 0;
+  Edge edge{{}, {}, static_cast<float>(positive ? at : -1 - at), 0, 0, static_cast<uint8_t>(axis)};
+  const auto numberOf = [](const Coordinates<D>& v, int side) {
+    std::size_t number = 0;
+    for (int a = D - 1; a >= 0; --a) number = number * static_cast<std::size_t>(side) + static_cast<std::size_t>(v[a] % kBrickSide * side / kBrickSide);
+    return number;
+  };
+  for (const std::size_t end : {0, 1}) {
+    const auto& v = end == 0 ? ends.even : ends.odd;
+    edge.vertices[end] = v[axis] / kBrickSide == brick[axis] ? static_cast<uint16_t>(numberOf(v, kBrickSide)) : kBeyond;
+  }
+  const auto& end = positive ? ends.even : ends.odd;
+  auto place = end;
+  for (int32_t& v : place) v /= kBrickSide;
+  edge.positivePlace = static_cast<uint32_t>(signs.table().place(place));
+  edge.positiveBlock = static_cast<uint8_t>(numberOf(end, Displacements<D>::kSide));
+  return edge;
+}
+
+template <int D>
+int32_t DisplacementPlan<D>::displacementAt(const DisplacementWindow<D>& displaced, const Edge& edge, std::size_t end) {
+  if (edge.vertices[end] != kBeyond) return displaced.at(edge.vertices[end] / kBrickSide, edge.vertices[end] % kBrickSide);
+  Coordinates<D> vertex;
+  std::size_t digits = edge.vertices[1 - end];
+  for (int a = 0; a < D; ++a, digits /= kBrickSide) vertex[a] = static_cast<int32_t>(digits % kBrickSide);
+  vertex[edge.axis] = kBrickSide;
+  return displaced.smooth(vertex);
 }
 
 template <int D>
@@ -101,30 +134,24 @@ void DisplacementPlan<D>::forEachError(const Displacements<D>& told, Visit visit
   constexpr double kSlope = Displacements<D>::kPlaneSlope, kLeast = kSlope / 8;  // as completion.h has it
   const auto& table = signs_.table();
   const bool displaces = told.places() != 0;
-  ScalarWindow<D> window;
   DisplacementWindow<D> displaced;
-  auto crossing = crossings_.begin();
-  forCrossedRows(
-      signs_, active_, false,
-      [&](std::size_t place) {
-        window.load(estimates_, table, table.brick(place));
-        if (!displaces) return;
-        displaced.load(told, table, table.brick(place));
-        displaced.spread();
-      },
-      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-        for (; crossed != 0; crossed &= crossed - 1, ++crossing) {
-          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-          const bool positive = *crossing >= 0;
-          const double side = positive ? 1 : -1, at = positive ? *crossing : -1 - *crossing;
-          const auto shown = [&](const Coordinates<D>& vertex, int place, double sign) {
-            const int32_t estimate = window.value[static_cast<std::size_t>(place)] - (displaces ? displacementAt<D>(displaced, brick, vertex) : 0);
-            return std::max(sign * estimate, kLeast);
-          };
-          const double a = shown(ends.even, ends.evenAt, side), b = shown(ends.odd, ends.oddAt, -side);
-          visit(positive ? ends.even : ends.odd, side * (a - at * (a + b)) / kSlope);
-        }
-      });
+  for (std::size_t place = 0; place < active_.size(); ++place) {
+    if (first_[place] == first_[place + 1]) continue;
+    if (displaces) {
+      displaced.load(told, table, table.brick(place));
+      displaced.spread();
+    }
+    for (std::size_t i = first_[place]; i < first_[place + 1]; ++i) {
+      const Edge& edge = edges_[i];
+      const bool positive = edge.crossing >= 0;
+      const double side = positive ? 1 : -1, at = positive ? edge.crossing : -1 - edge.crossing;
+      const auto shown = [&](std::size_t end, double sign) {
+        return std::max(sign * (edge.estimates[end] - (displaces ? displacementAt(displaced, edge, end) : 0)), kLeast);
+      };
+      const double a = shown(0, side), b = shown(1, -side);
+      visit(edge, side * (a - at * (a + b)) / kSlope);
+    }
+  }
 }
 
 template <int D>
@@ -145,7 +172,7 @@ template <int D>
 double DisplacementPlan<D>::error(const Displacements<D>& told) const {
   double squares = 0;
   std::size_t edges = 0;
-  forEachError(told, [&](const Coordinates<D>&, double error) {
+  forEachError(told, [&](const Edge&, double error) {
     squares += error * error;
     ++edges;
   });
@@ -154,20 +181,14 @@ double DisplacementPlan<D>::error(const Displacements<D>& told) const {
 
 template <int D>
 typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements<D>& told, const DisplacementPass& pass) const {
-  const auto& table = signs_.table();
   const double step = static_cast<double>(pass.step) / Displacements<D>::kPerStep;
   double squares = 0;
   std::size_t edges = 0;
   Means<D> means(active_.size());
-  forEachError(told, [&](const Coordinates<D>& positive, double error) {
+  forEachError(told, [&](const Edge& edge, double error) {
     squares += error * error;
     ++edges;
-    std::size_t place = 0, block = 0;
-    for (int a = D - 1; a >= 0; --a) {
-      place += static_cast<std::size_t>(positive[a] / kBrickSide) * table.stride(a);
-      block = block * Displacements<D>::kSide + static_cast<std::size_t>(positive[a] % kBrickSide / 2);
-    }
-    means.at(place, cubeOf<D>(block, pass.log2Side)).add(error);
+    means.at(edge.positivePlace, cubeOf<D>(edge.positiveBlock, pass.log2Side)).add(error);
   });
   Next next{Displacements<D>(active_.size()), edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};
   for (std::size_t place = 0; place < active_.size(); ++place) {
