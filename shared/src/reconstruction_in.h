@@ -111,10 +111,9 @@ class ReconstructionIn : public Reconstruction {
     return (kind == LayerKind::Octaves || kind == LayerKind::Halving || kind == LayerKind::Displacement) && level == octaves;
   }
 
-  /// Octaves, of vertices or of scalars, show in part if there is enough of them: where they meet what has not been told they are no better.
+  /// Octaves, of vertices or of scalars, show in part if there is a quarter: where they meet what has not been told they are no better.
   [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
-    if (head.kind == LayerKind::Octaves) return 8 * bytes >= head.bytes;
-    if (head.kind == LayerKind::Refinement && !known_.partial) return 4 * bytes >= head.bytes;
+    if (head.kind == LayerKind::Octaves || (head.kind == LayerKind::Refinement && !known_.partial)) return 4 * bytes >= head.bytes;
     return head.kind == LayerKind::Halving || head.kind == LayerKind::Displacement || head.kind == LayerKind::NearGeometry;
   }
   /// Takes over an octave that has been told in part, if the limits allow it.
