@@ -164,7 +164,7 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
     }
   }
   LayerWriter<D> layers(header, options, sources.front());
-  const bool displaces = header.vertices >= kFewestDisplaced;
+  const bool displaces = D > 2 && header.vertices >= kFewestDisplaced;  // a block of an image has as many vertices as edges
   layers.signs([&](int level) {
     if (displaces && level + 1 == header.octaves()) tellCoarseDisplacements(layers);
   });
