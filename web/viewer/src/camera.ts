@@ -2,6 +2,7 @@ import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const KEY_STEP = MathUtils.degToRad(6);
+const GROWTH = 1.05;  // less is not worth a jump
 const isCalm = matchMedia('(prefers-reduced-motion: reduce)');
 
 /** One camera for both halves; the world's z points up, as in scanners. */
@@ -10,6 +11,8 @@ export class Camera {
   readonly #controls: OrbitControls;
   #center = new Vector3();
   #radius = 1;
+  /** Has somebody turned it since it was fitted? */
+  #isTurned = false;
 
   constructor(canvas: HTMLElement, onChange: () => void) {
     this.eye.up.set(0, 0, 1);
@@ -18,6 +21,7 @@ export class Camera {
     isCalm.addEventListener('change', () => (this.#controls.enableDamping = !isCalm.matches));
     this.#controls.dampingFactor = 0.12;
     this.#controls.addEventListener('change', onChange);
+    this.#controls.addEventListener('start', () => (this.#isTurned = true));
     canvas.addEventListener('keydown', (event) => this.#obeyKey(event));
   }
 
@@ -42,6 +46,13 @@ export class Camera {
     this.eye.far = radius * 50;
   }
 
+  /** Takes a subject that has grown into view, but leaves the camera to whoever has turned it. */
+  follow(center: Vector3, radius: number): void {
+    if (radius < this.#radius * GROWTH) return;
+    this.setSubject(center, radius);
+    if (!this.#isTurned) this.fit();
+  }
+
   /** The whole subject from a direction in degrees, or from where the camera is. */
   fit(orbit?: readonly [number, number]): void {
     const half = MathUtils.degToRad(this.eye.fov / 2);
@@ -52,6 +63,7 @@ export class Camera {
       const [azimuth, elevation] = orbit.map(MathUtils.degToRad) as [number, number];
       direction.set(Math.cos(elevation) * Math.sin(azimuth), -Math.cos(elevation) * Math.cos(azimuth), Math.sin(elevation));
     }
+    this.#isTurned = false;
     this.#controls.target.copy(this.#center);
     this.eye.position.copy(this.#center).addScaledVector(direction.normalize(), distance);
     this.eye.updateProjectionMatrix();
@@ -77,6 +89,7 @@ export class Camera {
     const turn = turns[event.key];
     if (!turn) return;
     event.preventDefault();
+    this.#isTurned = true;
     this.#turn(...turn);
   }
 

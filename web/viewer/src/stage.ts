@@ -54,6 +54,14 @@ export class Stage {
     this.invalidate();
   }
 
+  /** The subject has been refined: its first octaves may have been much smaller. */
+  follow(shape: Shape): void {
+    const { center, radius } = sphereOf(shape);
+    this.#camera.follow(center, radius);
+    this.#scale.value = Math.max(this.#scale.value, radius);
+    this.invalidate();
+  }
+
   fit(): void {
     this.#camera.fit();
     this.invalidate();

@@ -104,7 +104,7 @@ export class Viewer {
 
   #show(surface: Surface, isLive: boolean): void {
     this.stage.show(0, surface);
-    this.#frameOnce(surface);
+    this.#frame(surface);
     this.#timeline.show(surface, isLive);
     this.#isovalues.show(surface);
     this.#tick();
@@ -166,8 +166,9 @@ export class Viewer {
   }
 
   /** The camera is set once a subject: a replay leaves it where it is. */
-  #frameOnce(surface: Surface): void {
-    if (this.#isFramed || surface.positions.length === 0) return;
+  #frame(surface: Surface): void {
+    if (surface.positions.length === 0) return;
+    if (this.#isFramed) return this.stage.follow(surface);
     this.#isFramed = true;
     this.stage.frame(surface, this.#sample?.orbit ?? ORBIT);
   }
