@@ -160,22 +160,11 @@ class AdaptiveMesh {
   }
 
  private:
-  static std::size_t rowOf(const Coordinates<D>& v) {
-    std::size_t r = 0;
-    for (int a = D - 1; a >= 1; --a) r = r * kBrickSide + static_cast<std::size_t>(v[a] & (kBrickSide - 1));
-    return r;
-  }
-  static std::size_t numberOf(const Coordinates<D>& v) { return rowOf(v) * kBrickSide + static_cast<std::size_t>(v[0] & (kBrickSide - 1)); }
-  static std::size_t placeOf(const BrickTable<D>& table, const Coordinates<D>& v) {
-    Coordinates<D> brick;
-    for (int a = 0; a < D; ++a) brick[a] = v[a] / kBrickSide;
-    return table.place(brick);
-  }
   static bool knows(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& brick, std::size_t r, int x) {
     return scalars.at(table.place(brick)).knows(r * kBrickSide + static_cast<std::size_t>(x));
   }
   static int32_t valueAt(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& v) {
-    return scalars.at(placeOf(table, v)).value[numberOf(v)];
+    return scalars.at(table.placeOf(v)).value[numberOf<D>(v)];
   }
   /// The finer octave's plane that coincides.
   static int32_t child(const Lattice<D>& coarse, const Lattice<D>& fine, int axis, int32_t plane) {
@@ -282,7 +271,7 @@ class AdaptiveMesh {
         if (!brick.knows(i)) continue;
         auto v = vertexOf<D>(from.table().brick(place), i);
         for (int a = 0; a < D; ++a) v[a] = child(from.lattice(), octave.signs.lattice(), a, v[a]);
-        octave.scalars.writable(placeOf(octave.signs.table(), v)).value[numberOf(v)] = brick.value[i];
+        octave.scalars.writable(octave.signs.table().placeOf(v)).value[numberOf<D>(v)] = brick.value[i];
       }
     }
   }
@@ -316,7 +305,7 @@ class AdaptiveMesh {
     const auto mean = static_cast<int32_t>((int64_t{from} + to) / 2);
     const int32_t value = mean == 0 ? -1 : mean;
     octave.signs.set(v, value > 0);
-    octave.scalars.writable(placeOf(table, v)).value[numberOf(v)] = value;
+    octave.scalars.writable(table.placeOf(v)).value[numberOf<D>(v)] = value;
   }
 
   std::vector<Signs<D>> signs_, absent_;  // by octave, as they were told

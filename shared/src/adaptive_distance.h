@@ -56,13 +56,8 @@ class AdaptiveDistance {
  private:
   /// 0 where nothing is known.
   [[nodiscard]] double value(const Coordinates<D>& v) const {
-    Coordinates<D> brick;
-    std::size_t number = 0;
-    for (int a = D - 1; a >= 0; --a) {
-      brick[a] = v[a] / kBrickSide;
-      number = number * kBrickSide + static_cast<std::size_t>(v[a] % kBrickSide);
-    }
-    const auto& scalars = decoded_.scalars.at(table_.place(brick));
+    const auto& scalars = decoded_.scalars.at(table_.placeOf(v));
+    const std::size_t number = numberOf<D>(v);
     return scalars.knows(number) ? scalars.value[number] : 0;
   }
 

@@ -101,9 +101,7 @@ template <int D>
 double AdaptivePlan<D>::scalar(int level, const Coordinates<D>& v) const {
   constexpr double kLeast = 1e-3;  // grid steps: a scalar must have a sign
   const auto grid = lattice(level);
-  Coordinates<D> sample;
-  for (int a = 0; a < D; ++a) sample[a] = grid.sample(a, v[a]);
-  const double truth = field_.scalar(sample);
+  const double truth = field_.scalar(grid.samples(v));
   if (level == octaves_ || grid.step > kMostStep) return truth;
   const uint32_t n = nearest_[static_cast<std::size_t>(level)][index(grid, v)];
   if (n == kNone) return truth;

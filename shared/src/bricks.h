@@ -41,6 +41,14 @@ Coordinates<D> vertexOf(const Coordinates<D>& brick, std::size_t number) {
   return v;
 }
 
+/// Of a vertex: its number in the brick that it lies in.
+template <int D>
+std::size_t numberOf(const Coordinates<D>& v) {
+  std::size_t number = 0;
+  for (int a = D - 1; a >= 0; --a) number = number * kBrickSide + static_cast<std::size_t>(v[a] & (kBrickSide - 1));
+  return number;
+}
+
 /// A brick's place among bricks, and in the table.
 template <int D>
 class BrickTable {
@@ -63,6 +71,12 @@ class BrickTable {
     std::size_t at = 0;
     for (int a = 0; a < D; ++a) at += static_cast<std::size_t>(brick[a]) * stride_[a];
     return at;
+  }
+  /// Of the brick that a vertex lies in.
+  [[nodiscard]] std::size_t placeOf(const Coordinates<D>& v) const {
+    std::size_t place = 0;
+    for (int a = 0; a < D; ++a) place += static_cast<std::size_t>(v[a] >> 3) * stride_[a];
+    return place;
   }
   [[nodiscard]] Coordinates<D> brick(std::size_t place) const {
     Coordinates<D> at{};
@@ -133,19 +147,14 @@ class Signs {
   }
 
   [[nodiscard]] bool at(const Coordinates<D>& v) const {
-    return (brickAt(placeOf(v)).rows[rowOf(v)] >> (v[0] & 7) & 1) != 0;
+    return (brickAt(table_.placeOf(v)).rows[rowOf(v)] >> (v[0] & 7) & 1) != 0;
   }
   void set(const Coordinates<D>& v, bool positive) {
     if (at(v) == positive) return;
-    writable(placeOf(v)).rows[rowOf(v)] ^= static_cast<uint8_t>(1u << (v[0] & 7));
+    writable(table_.placeOf(v)).rows[rowOf(v)] ^= static_cast<uint8_t>(1u << (v[0] & 7));
   }
 
  private:
-  [[nodiscard]] std::size_t placeOf(const Coordinates<D>& v) const {
-    std::size_t place = 0;
-    for (int a = 0; a < D; ++a) place += static_cast<std::size_t>(v[a] >> 3) * table_.stride(a);
-    return place;
-  }
   [[nodiscard]] static std::size_t rowOf(const Coordinates<D>& v) {
     std::size_t row = 0;
     for (int a = D - 1; a >= 1; --a) row = row * 8 + static_cast<std::size_t>(v[a] & 7);

@@ -15,7 +15,7 @@ namespace isostar {
 /// quantum is a large part of a step, estimates need more.
 template <int D>
 [[gnu::noinline]] void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Members members, int finer, Scalars<D>& scalars,
-                     const Hints<D>& hints = {}) {
+                                       const Hints<D>& hints = {}) {
   constexpr int64_t kShallowest = 2000;   // of a neighbour's estimate: a third of a step; nearer ones would tear as well
   constexpr int kPlainGradient = 4 * 12;  // where nothing has been told: any will do, only ratios show
   const Scalars<D> known = scalars;
@@ -50,16 +50,22 @@ template <int D>
   }
 }
 
+/// The same for every vertex that a polygonizer needs.
+template <int D>
+ISOSTAR_SELDOM void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Polygonizer polygonizer, int finer, Scalars<D>& scalars, const Hints<D>& hints) {
+  estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
+  if (polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
+}
+
 /// All scalars that a polygonizer needs, those that are not known being estimated.
 template <int D>
 struct Completed {
   Scalars<D> scalars;
   int finer;  // values count 2^-finer half quanta
 
-  ISOSTAR_SELDOM Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints)
+  Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints)
       : scalars(known), finer(scalars.magnify()) {
-    estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
-    if (polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
+    estimateMissing(signs, active, polygonizer, finer, scalars, hints);
   }
 };
 

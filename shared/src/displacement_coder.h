@@ -75,8 +75,7 @@ class DisplacementCoder {
     Coordinates<D> last = first;
     for (int a = 0; a < D; ++a) last[a] += side - 1;
     forEachBetween<D>(first, last, [&](const Coordinates<D>& v) {
-      std::size_t block = 0;
-      for (int a = D - 1; a >= 0; --a) block = block * Values::kSide + static_cast<std::size_t>(v[a]);
+      const std::size_t block = Values::blockAt(v);
       if (members_[block]) visit(block);
     });
   }
@@ -104,8 +103,7 @@ class DisplacementCoder {
 
   template <class Exchange>
   ISOSTAR_SELDOM void cube(Exchange& ask, typename Values::Brick& own, std::size_t place, const Coordinates<D>& first, int side, int step) {
-    std::size_t corner = 0;
-    for (int a = D - 1; a >= 0; --a) corner = corner * Values::kSide + static_cast<std::size_t>(first[a]);
+    const std::size_t corner = Values::blockAt(first);
     int members = 0, sum = 0;
     forMembers(first, side, [&](std::size_t block) {
       ++members;

@@ -101,29 +101,21 @@ typename DisplacementPlan<D>::Edge DisplacementPlan<D>::edgeOf(const GridField<D
   const double at = field.crossing(even, odd, static_cast<std::size_t>(axis));
   const bool positive = field.scalar(even) > 0;
   Edge edge{{}, {}, static_cast<float>(positive ? at : -1 - at), 0, 0, static_cast<uint8_t>(axis)};
-  const auto numberOf = [](const Coordinates<D>& v, int side) {
-    std::size_t number = 0;
-    for (int a = D - 1; a >= 0; --a) number = number * static_cast<std::size_t>(side) + static_cast<std::size_t>(v[a] % kBrickSide * side / kBrickSide);
-    return number;
-  };
   for (const std::size_t end : {0, 1}) {
     const auto& v = end == 0 ? ends.even : ends.odd;
-    edge.vertices[end] = v[axis] / kBrickSide == brick[axis] ? static_cast<uint16_t>(numberOf(v, kBrickSide)) : kBeyond;
+    edge.vertices[end] = v[axis] / kBrickSide == brick[axis] ? static_cast<uint16_t>(numberOf<D>(v)) : kBeyond;
   }
   const auto& end = positive ? ends.even : ends.odd;
-  auto place = end;
-  for (int32_t& v : place) v /= kBrickSide;
-  edge.positivePlace = static_cast<uint32_t>(signs.table().place(place));
-  edge.positiveBlock = static_cast<uint8_t>(numberOf(end, Displacements<D>::kSide));
+  const std::size_t number = numberOf<D>(end);
+  edge.positivePlace = static_cast<uint32_t>(signs.table().placeOf(end));
+  edge.positiveBlock = static_cast<uint8_t>(Displacements<D>::block(number / kBrickSide, static_cast<int>(number % kBrickSide)));
   return edge;
 }
 
 template <int D>
 int32_t DisplacementPlan<D>::displacementAt(const DisplacementWindow<D>& displaced, const Edge& edge, std::size_t end) {
   if (edge.vertices[end] != kBeyond) return displaced.at(edge.vertices[end] / kBrickSide, edge.vertices[end] % kBrickSide);
-  Coordinates<D> vertex;
-  std::size_t digits = edge.vertices[1 - end];
-  for (int a = 0; a < D; ++a, digits /= kBrickSide) vertex[a] = static_cast<int32_t>(digits % kBrickSide);
+  auto vertex = vertexOf<D>({}, edge.vertices[1 - end]);
   vertex[edge.axis] = kBrickSide;
   return displaced.smooth(vertex);
 }

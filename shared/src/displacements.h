@@ -39,6 +39,12 @@ class Displacements {
   }
   /// Adds units to a block.
   static void move(int8_t& value, int units) { value = static_cast<int8_t>(std::clamp((value == kNone ? 0 : value) + units, -127, 127)); }
+  /// Of blocks' coordinates in a brick: the block.
+  [[nodiscard]] static std::size_t blockAt(const Coordinates<D>& v) {
+    std::size_t block = 0;
+    for (int a = D - 1; a >= 0; --a) block = block * kSide + static_cast<std::size_t>(v[a]);
+    return block;
+  }
   /// Of vertex x in row r of a brick: its block.
   [[nodiscard]] static constexpr std::size_t block(std::size_t r, int x) {
     std::size_t block = static_cast<std::size_t>(x) / 2, stride = kSide;

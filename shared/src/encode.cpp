@@ -65,6 +65,12 @@ void tellGeometry(LayerWriter<D>& layers, const Header& header) {
 
 constexpr uint64_t kFewestDisplaced = 1000;  // vertices: below that a layer's head takes too large a part
 
+/// Does a pass leave at most such a share of the error?
+template <int D>
+bool pays(const DisplacementPlan<D>& plan, const Displacements<D>& told, const typename DisplacementPlan<D>::Next& next, const DisplacementPass& pass, double share) {
+  return plan.error(plan.reached(told, next.steps, pass)) <= share * next.error;
+}
+
 /// One pass on the octave before the finest, where it pays: the finer octave's signs tell most of it again.
 template <int D>
 void tellCoarseDisplacements(LayerWriter<D>& layers) {
@@ -72,8 +78,7 @@ void tellCoarseDisplacements(LayerWriter<D>& layers) {
   constexpr double kPays = 0.87;  // so much of the error is left
   const DisplacementPlan<D> plan = layers.displacementPlan();
   auto next = plan.next(layers.displacements(), kPass);
-  const double left = plan.error(plan.reached(layers.displacements(), next.steps, kPass));
-  if (left <= kPays * next.error) layers.displace(kPass, std::move(next.steps));
+  if (pays(plan, layers.displacements(), next, kPass, kPays)) layers.displace(kPass, std::move(next.steps));
 }
 
 /// Displacements come before scalars, of cubes of 4 vertices, then of 2, and once more of half the step where that pays: scalars tell
@@ -85,7 +90,7 @@ void tellDisplacements(LayerWriter<D>& layers) {
   const DisplacementPlan<D> plan = layers.displacementPlan();
   for (const DisplacementPass& pass : kPasses) {
     auto next = plan.next(layers.displacements(), pass);
-    if (&pass == &kPasses.back() && (next.error > kNear || plan.error(plan.reached(layers.displacements(), next.steps, pass)) > kPays * next.error)) return;
+    if (&pass == &kPasses.back() && (next.error > kNear || !pays(plan, layers.displacements(), next, pass, kPays))) return;
     layers.displace(pass, std::move(next.steps));
   }
 }

@@ -190,7 +190,7 @@ class ReconstructionIn : public Reconstruction {
     held += between.memory();
     const uint64_t completed = memoryCompleted(between.scalars(), between.active());
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    estimate(between.signs(), between.active(), options, between.finer(), {known_.kernel}, between.scalars());
+    estimateMissing(between.signs(), between.active(), options.polygonizer, between.finer(), between.scalars(), {known_.kernel});
     return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement}, held + completed);
   }
 
@@ -215,12 +215,6 @@ class ReconstructionIn : public Reconstruction {
     uint64_t bricks = 0;
     for (std::size_t place = 0; place < active.size(); ++place) bricks += active[place] != 0 || scalars.has(place) ? 1 : 0;
     return Scalars<D>::memoryOf(active.size(), bricks);
-  }
-
-  static void estimate(const Signs<D>& signs, const std::vector<uint8_t>& active, const MeshOptions& options, int finer,
-                       const Hints<D>& hints, Scalars<D>& scalars) {
-    estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
-    if (options.polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
   }
 
   const Header& header_;

@@ -27,12 +27,6 @@ std::vector<uint8_t> someOf(const std::vector<uint8_t>& marked, std::size_t most
   return some;
 }
 
-template <int D>
-std::size_t placeOf(const BrickTable<D>& table, std::type_identity_t<Coordinates<D>> vertex) {
-  for (int32_t& v : vertex) v /= kBrickSide;
-  return table.place(vertex);
-}
-
 }  // namespace
 
 double edgeLength(const Placement& placement, unsigned axes) {
@@ -61,19 +55,13 @@ SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& heade
           if (number++ % stride != 0) continue;
           const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
           const auto axis = static_cast<std::size_t>(std::countr_zero(axes));
-          Sample sample{place, ends.evenAt, ends.oddAt, crossing(ends), 0, {}, normal(ends)};
+          Sample sample{place, ends.evenAt, ends.oddAt, field.crossing(ends.even, ends.odd, axis), 0, {}, normal(ends)};
           sample.perEdge = unit_[axis] * sample.normal[axis];
           for (std::size_t a = 0; a < D; ++a) sample.position[a] = (ends.even[a] + sample.crossing * (ends.odd[a] - ends.even[a])) * unit_[a];
           samples_.push_back(sample);
-          for (const auto& end : {ends.even, ends.odd}) near_[placeOf(signs.table(), end)] = 1;
+          for (const auto& end : {ends.even, ends.odd}) near_[signs.table().placeOf(end)] = 1;
         }
       });
-}
-
-template <int D>
-double SourceDistance<D>::crossing(const EdgeEnds<D>& ends) const {
-  const double even = std::abs(field_.scalar(ends.even)), odd = std::abs(field_.scalar(ends.odd));
-  return even / (even + odd);
 }
 
 /// The source's unit normal at an edge.
@@ -159,7 +147,7 @@ std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& sig
           const double trueEven = std::abs(field_.scalar(ends.even)), trueOdd = std::abs(field_.scalar(ends.odd));
           // The difference of even / (even + odd) and its truth, without divisions.
           if (std::abs(even * trueOdd - odd * trueEven) <= allowed * (even + odd) * (trueEven + trueOdd)) continue;
-          for (const auto& end : {ends.even, ends.odd}) places[placeOf(table, end)] = 1;
+          for (const auto& end : {ends.even, ends.odd}) places[table.placeOf(end)] = 1;
           any = true;
         }
       });

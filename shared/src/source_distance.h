@@ -37,7 +37,6 @@ class SourceDistance {
     Point position, normal;
   };
 
-  [[nodiscard]] double crossing(const EdgeEnds<D>& ends) const;
   [[nodiscard]] double size(int32_t value) const;
   [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, int evenAt, int oddAt) const;
   [[nodiscard]] Point normal(const EdgeEnds<D>& ends) const;
