@@ -6,6 +6,7 @@
 
 #include "base_coder.h"
 #include "completion.h"
+#include "filling_coder.h"
 #include "halving_coder.h"
 #include "isostar/isostar.h"
 #include "octave.h"
@@ -53,7 +54,7 @@ class AdaptiveMesh {
   [[nodiscard]] const Signs<D>& absent(int level) const { return absent_[static_cast<std::size_t>(level)]; }
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
-    uint64_t sum = coders_ ? coders_->refinement.memory() + coders_->filling.memory() : 0;
+    uint64_t sum = coders_ ? coders_->refinement.memory() : 0;
     sum += coarserDisplacements.memory();
     for (const auto& s : signs_) sum += s.memory();
     for (const auto& s : absent_) sum += s.memory();
@@ -116,7 +117,7 @@ class AdaptiveMesh {
       signs.set(v, signs.at(corner));
     });
     ask.hold(memory());
-    for (int dimension = D; dimension >= 1; --dimension) coders_->filling.fill(ask, signs, dimension, absent);
+    for (int dimension = D; dimension >= 1; --dimension) coders_->filling.tell(ask, signs, dimension, absent);
     if (ask.spent()) return;
     absent = Signs<D>(signs.lattice());
     for (int finer = level + 1; finer <= this->level(); ++finer) takeOverFilled(finer);
@@ -311,7 +312,8 @@ class AdaptiveMesh {
   std::vector<Signs<D>> signs_, absent_;  // by octave, as they were told
   std::vector<AdaptiveOctave<D>> octaves_;
   struct Coders {
-    RefinementCoder<D> refinement, filling;
+    RefinementCoder<D> refinement;
+    FillingCoder<D> filling;
     OctavesCoder<D> octaves;
     HalvingCoder<D> halvings;
   };
