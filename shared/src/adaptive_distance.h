@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "adaptive.h"
+#include "adaptive_octave.h"
 #include "adaptive_plan.h"
 #include "crossings.h"
 

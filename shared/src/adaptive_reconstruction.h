@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "adaptive.h"
+#include "adaptive_field.h"
 #include "contour.h"
 #include "layers.h"
 #include "polygonizer.h"
@@ -15,7 +15,7 @@ namespace isostar {
 template <int D>
 class AdaptiveReconstruction : public Reconstruction {
  public:
-  AdaptiveReconstruction(const Header& header, const Limits& limits) : header_(header), limits_(limits), mesh_(header.base<D>()) {}
+  AdaptiveReconstruction(const Header& header, const Limits& limits) : header_(header), limits_(limits), field_(header.base<D>()) {}
 
   ISOSTAR_SELDOM Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
     constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
@@ -30,8 +30,8 @@ class AdaptiveReconstruction : public Reconstruction {
       if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
       bytes = bytes.subspan(fields.position());
     }
-    const uint64_t next = head.kind == LayerKind::Refinement ? mesh_.memoryToRefine() : head.kind == LayerKind::Octaves ? mesh_.memoryToTell() : 0;
-    const uint64_t held = mesh_.memory();
+    const uint64_t next = head.kind == LayerKind::Refinement ? field_.mesh.memoryToRefine() : head.kind == LayerKind::Octaves ? field_.memoryToTell() : 0;
+    const uint64_t held = field_.memory();
     if (held + next > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(bytes);
     BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, limits_.memory - held - (head.kind == LayerKind::Octaves ? next : 0));
@@ -41,7 +41,7 @@ class AdaptiveReconstruction : public Reconstruction {
     return {Error::None, true};
   }
 
-  [[nodiscard]] int level() const override { return based_ ? mesh_.level() : -1; }
+  [[nodiscard]] int level() const override { return based_ ? field_.mesh.level() : -1; }
 
   Error show(const MeshOptions& options, Mesh& out) const override {
     out = {};
@@ -58,22 +58,22 @@ class AdaptiveReconstruction : public Reconstruction {
   /// The base first, then each octave's mesh, then the scalars of each octave.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
     if (!based_) return kind == LayerKind::Base && level == 0;
-    if (mesh_.level() < header_.octaves()) return kind == LayerKind::Refinement && level == mesh_.level() + 1;
-    if (kind == LayerKind::Octaves) return level == mesh_.told() && level <= header_.octaves();
-    return kind == LayerKind::Halving && level == mesh_.told() - 1;
+    if (field_.mesh.level() < header_.octaves()) return kind == LayerKind::Refinement && level == field_.mesh.level() + 1;
+    if (kind == LayerKind::Octaves) return level == field_.told() && level <= header_.octaves();
+    return kind == LayerKind::Halving && level == field_.told() - 1;
   }
 
   template <class Exchange>
   void tell(Exchange& ask, LayerKind kind, const GeometryPass<D>& pass) {
     if (kind == LayerKind::Base) {
-      mesh_.base(ask);
+      field_.mesh.base(ask);
       based_ = true;
     } else if (kind == LayerKind::Refinement) {
-      mesh_.refine(ask);
+      field_.mesh.refine(ask);
     } else if (kind == LayerKind::Octaves) {
-      mesh_.tellOctaves(ask, pass.depth, header_.polygonizer);
+      field_.tellOctaves(ask, pass.depth, header_.polygonizer);
     } else {
-      mesh_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
+      field_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
     }
   }
 
@@ -81,8 +81,8 @@ class AdaptiveReconstruction : public Reconstruction {
   Error make(const MeshOptions& options, Out& out) const {
     if (options.isovalue && *options.isovalue != header_.isovalue) return Error::BadArgument;
     if (!based_) return Error::None;
-    uint64_t held = mesh_.memory();
-    const auto octave = mesh_.shown(mesh_.level(), limits_.memory - std::min(held, limits_.memory));
+    uint64_t held = field_.memory();
+    const auto octave = field_.shown(field_.mesh.level(), limits_.memory - std::min(held, limits_.memory));
     if (!octave) return Error::OverLimit;
     held += octave->memory();
     const double offset = 2 * header_.positiveOffset - 1;
@@ -92,7 +92,7 @@ class AdaptiveReconstruction : public Reconstruction {
 
   const Header& header_;
   const Limits limits_;
-  AdaptiveMesh<D> mesh_;
+  AdaptiveField<D> field_;
   bool based_ = false;
 };
 

@@ -63,7 +63,7 @@ template <int D>
 class AdaptiveWriter {
  public:
   AdaptiveWriter(const AdaptivePlan<D>& plan, const GridField<D>& field, const Header& header, const SourceDistance<D>& distance, const std::vector<Signs<D>>& truth, bool states)
-      : plan_(plan), field_(field), header_(header), distance_(distance), truth_(truth), states_(states), planned_(plan, header), mesh_(header.base<D>()) {}
+      : plan_(plan), field_(field), header_(header), distance_(distance), truth_(truth), states_(states), planned_(plan, header), decoded_(header.base<D>()) {}
 
   void signs() {
     for (int level = 0; level <= plan_.octaves(); ++level) {
@@ -71,8 +71,8 @@ class AdaptiveWriter {
       const Signs<D> centres = level == 0 ? Signs<D>() : plan_.centres(level);
       tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
         ask.keep(centres);
-        if (level == 0) mesh_.base(ask);
-        else mesh_.refine(ask);
+        if (level == 0) decoded_.mesh.base(ask);
+        else decoded_.mesh.refine(ask);
       });
     }
   }
@@ -83,17 +83,17 @@ class AdaptiveWriter {
       GeometryPass<D> pass{LayerKind::Octaves, Members::AxisEnds, 3, {}, 0, false};
       const Signs<D>& truth = truth_[static_cast<std::size_t>(level)];
       planned_.enter(level, truth);
-      tell({LayerKind::Octaves, level, 0, 0, 0}, truth, [&](auto& ask) { mesh_.tellOctaves(ask, pass.depth, header_.polygonizer); }, &pass);
+      tell({LayerKind::Octaves, level, 0, 0, 0}, truth, [&](auto& ask) { decoded_.tellOctaves(ask, pass.depth, header_.polygonizer); }, &pass);
       pass = {LayerKind::Halving, Members::AxisEnds, 0, {}, 30, false};
       for (unsigned axes = 1; axes < pass.allowed.size(); ++axes) {
-        const double part = distance / (edgeLength(header_.placement, axes) * mesh_.octave(level).signs.lattice().step);
+        const double part = distance / (edgeLength(header_.placement, axes) * decoded_.octave(level).signs.lattice().step);
         pass.allowed[axes] = static_cast<uint32_t>(std::clamp(65536 * part, 1.0, 65536.0));
       }
-      tell({LayerKind::Halving, level, 0, 0, 0}, truth, [&](auto& ask) { mesh_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective}); }, &pass);
+      tell({LayerKind::Halving, level, 0, 0, 0}, truth, [&](auto& ask) { decoded_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective}); }, &pass);
     }
   }
 
-  [[nodiscard]] const AdaptiveMesh<D>& mesh() const { return mesh_; }
+  [[nodiscard]] const AdaptiveField<D>& decoded() const { return decoded_; }
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
 
  private:
@@ -114,9 +114,9 @@ class AdaptiveWriter {
 
   /// RMS distance of what a decoder shows now.
   [[nodiscard]] double error() const {
-    if (mesh_.level() < plan_.octaves()) return distance_.rms(mesh_.shown(mesh_.level())->signs, {mesh_.kernel});
+    if (decoded_.mesh.level() < plan_.octaves()) return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.kernel});
     constexpr std::size_t kSamples = 4096;
-    const auto shown = *mesh_.shown(mesh_.level());
+    const auto shown = *decoded_.shown(decoded_.mesh.level());
     double sum = 0;
     uint64_t count = 0;
     AdaptiveDistance<D>(plan_, field_, shown).fromSource(plan_.crossings().size() / kSamples + 1, [&](const auto&, double d) {
@@ -133,7 +133,7 @@ class AdaptiveWriter {
   const std::vector<Signs<D>>& truth_;  // by octave
   const bool states_;                   // errors in heads; a try has no need of them
   PlannedField<D> planned_;
-  AdaptiveMesh<D> mesh_;
+  AdaptiveField<D> decoded_;
   std::vector<std::byte> bytes_;
 };
 
@@ -168,7 +168,7 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
     AdaptiveWriter<D> writer(plan, field, header, distance, truth, false);
     writer.signs();
     writer.geometry(quantized);
-    const auto& decoded = writer.mesh().octave(plan.octaves());
+    const auto& decoded = writer.decoded().octave(plan.octaves());
     if (options.progress) options.progress((i + 1.0) / (kTries + 1));
     uint64_t beyond = 0;
     const auto judge = [&](const auto& p, double d) {
@@ -186,7 +186,7 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
   writer.signs();
   writer.geometry(quantized);
   layers = writer.bytes();
-  const auto& decoded = writer.mesh().octave(plan.octaves());
+  const auto& decoded = writer.decoded().octave(plan.octaves());
   header.vertices = countCrossings(decoded.signs, decoded.active);
   return true;
 }

@@ -1,6 +1,6 @@
 #include "encode_topology.h"
 
-#include "adaptive.h"
+#include "adaptive_field.h"
 #include "sign_turns.h"
 #include "topology_plan.h"
 
@@ -16,16 +16,16 @@ std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vect
   const NoScalars none;
   TruthExchange<3, RangeEncoder, NoScalars> ask(coder, truth.front(), none);
   ask.follow(truth, plan.centres());
-  AdaptiveMesh<3> mesh(header.base<3>());
-  mesh.tellAll(ask, header.octaves());
+  AdaptiveField<3> field(header.base<3>());
+  field.mesh.tellAll(ask, header.octaves());
   std::size_t stuck = 0;
   std::vector<std::vector<Coordinates<3>>> byLevel;
   for (int level = 0; level < header.octaves(); ++level) {
     if (level > 0) {
       ask.enter(level);
-      mesh.fill(ask, level);
+      field.mesh.fill(ask, level);
     }
-    byLevel.push_back(stuckTurns(truth.back(), mesh.shown(header.octaves())->signs));
+    byLevel.push_back(stuckTurns(truth.back(), field.shown(header.octaves())->signs));
     stuck += byLevel.back().size();
   }
   for (std::size_t level = 0; level < byLevel.size(); ++level) {

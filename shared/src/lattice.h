@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace isostar {
 
@@ -35,6 +36,21 @@ struct Lattice {
   /// The coarser octave's plane that coincides with this one or, for a fresh one, precedes it.
   [[nodiscard]] int32_t parent(int axis, int32_t plane) const {
     return plane == last[axis] ? (plane + 1) / 2 : plane / 2;
+  }
+  /// Where a vertex is on the coarser octave; nothing if it is fresh.
+  [[nodiscard]] std::optional<Coordinates<D>> onCoarser(const Coordinates<D>& v) const {
+    Coordinates<D> same;
+    for (int a = 0; a < D; ++a) {
+      if (fresh(a, v[a])) return std::nullopt;
+      same[a] = parent(a, v[a]);
+    }
+    return same;
+  }
+  /// Where a vertex is on the finer octave.
+  [[nodiscard]] Coordinates<D> onFiner(const Coordinates<D>& v) const {
+    Coordinates<D> same;
+    for (int a = 0; a < D; ++a) same[a] = v[a] == last[a] ? finer().last[a] : 2 * v[a];
+    return same;
   }
   /// Mirrors a plane next to the box into it: two-sided neighbourhoods need no edge cases.
   [[nodiscard]] int32_t mirrored(int axis, int32_t plane) const {

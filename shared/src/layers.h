@@ -1,7 +1,7 @@
 // A stream's layers as one traversal for both directions: the encoder tells, the decoder listens.
 #pragma once
 
-#include "adaptive.h"
+#include "adaptive_field.h"
 #include "close_by.h"
 #include "displacement_coder.h"
 #include "domain_coder.h"
@@ -89,7 +89,7 @@ struct Knowledge {
   void base(Exchange& ask) {
     if (header.keepsTopology && header.octaves() > 0) {
       partial.emplace(header.base<D>());
-      partial->tellAll(ask, header.octaves());
+      partial->mesh.tellAll(ask, header.octaves());
     } else {
       BaseCoder<D>().tell(ask, signs);
     }
@@ -124,11 +124,11 @@ struct Knowledge {
   /// The next octave of a mesh that has been welded as far as the topology allows.
   template <class Exchange>
   void fill(Exchange& ask, Kernel shown) {
-    partial->fill(ask, level + 1);
+    partial->mesh.fill(ask, level + 1);
     if (ask.spent()) return;
     kernel = shown;  // of the finest octave; before it the mesh is shown as its topology was planned
     if (++level < header.octaves()) return;
-    signs = partial->takeSigns();
+    signs = partial->mesh.takeSigns();
     partial.reset();
   }
 
@@ -215,7 +215,7 @@ struct Knowledge {
   [[nodiscard]] uint64_t memoryToFindActive() const { return active.empty() ? signs.table().total() : 0; }
   /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
   [[nodiscard]] uint64_t memoryToRefine() const {
-    if (partial) return memoryBesideScalars() + partial->memoryToFill(level + 1);
+    if (partial) return memoryBesideScalars() + partial->mesh.memoryToFill(level + 1);
     const BrickTable<D> finer(signs.lattice().finer());
     return memoryBesideScalars() + finer.total() + Signs<D>::memoryToFill(finer.total(), mostRefinedBricks(signs, finer));
   }
@@ -225,7 +225,7 @@ struct Knowledge {
   Kernel kernel = Kernel::Narrow;  // of the octave that is known
   int level;
   /// Instead of the signs: of a stream that keeps the topology, before its finest octave; and of one that ends within an octave.
-  std::optional<AdaptiveMesh<D>> partial;
+  std::optional<AdaptiveField<D>> partial;
   Signs<D> unfinished;  // of an octave that has been told in part
   Kernel unfinishedKernel = Kernel::Narrow;
   std::array<Chance, 2> kernelModel;

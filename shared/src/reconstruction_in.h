@@ -166,7 +166,7 @@ class ReconstructionIn : public Reconstruction {
   /// Of a mesh that has not all vertices yet.
   template <class Make>
   Error withPartial(uint64_t held, Make make) const {
-    const auto octave = known_.partial->shown(known_.partial->level(), left(held).memory);
+    const auto octave = known_.partial->shown(known_.partial->mesh.level(), left(held).memory);
     if (!octave) return Error::OverLimit;
     const double offset = 2 * header_.positiveOffset - 1;
     return make(Surface<D>{octave->signs, octave->scalars, offset, offset, header_.placement}, held + octave->memory());

@@ -100,18 +100,18 @@ template <class Payload>
 Bytes adaptiveStreamOf(Header header, Payload payload) {
   header.adaptive = true;
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  AdaptiveMesh<3> mesh(header.base<3>());
+  AdaptiveField<3> field(header.base<3>());
   for (int level = 0; level <= header.octaves(); ++level) {
     const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
-    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? mesh.base(ask) : mesh.refine(ask); })});
+    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? field.mesh.base(ask) : field.mesh.refine(ask); })});
   }
   for (int level = 0; level <= header.octaves(); ++level) {
     for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) {
       const GeometryPass<3> pass = wideOpen(kind, Members::AxisEnds);
       Bytes bytes = fieldsOf<3>(pass);
       const Bytes told = payload([&](auto& ask) {
-        if (kind == LayerKind::Octaves) mesh.tellOctaves(ask, pass.depth, header.polygonizer);
-        else mesh.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
+        if (kind == LayerKind::Octaves) field.tellOctaves(ask, pass.depth, header.polygonizer);
+        else field.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
       });
       bytes.insert(bytes.end(), told.begin(), told.end());
       layers.push_back({{kind, level, 0.1, 0, 0}, bytes});

@@ -23,7 +23,7 @@ const PARTS = {
   ],
   container: ['stream.h', 'stream.cpp'],
   layers: ['layers.h'],
-  adaptive: ['adaptive.h'],
+  adaptive: ['adaptive_mesh.h', 'adaptive_octave.h', 'adaptive_field.h'],
   polygonizer: [
     ...['surface.h', 'crossings.h', 'corner_signs.h', 'cell_table.h', 'cell_table.cpp', 'cell_cut.h', 'trim.h', 'trim.cpp', 'polygonizer.h', 'polygonizer.cpp'],
     ...['contour.h', 'contour.cpp', 'time_slice.h', 'time_slice.cpp'],
