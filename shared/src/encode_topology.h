@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "stream.h"
 #include "bricks.h"
+#include "header.h"
 
 namespace isostar {
 

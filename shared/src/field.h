@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "bricks.h"
 #include "displacements.h"
+#include "header.h"
 #include "isostar/isostar.h"
-#include "stream.h"
 
 namespace isostar {
 

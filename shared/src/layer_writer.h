@@ -6,6 +6,7 @@
 #include "displacement_plan.h"
 #include "encode_topology.h"
 #include "isostar/isostar.h"
+#include "layer_bytes.h"
 #include "layers.h"
 #include "source.h"
 
@@ -90,23 +91,12 @@ class LayerWriter {
   }
   [[nodiscard]] const Displacements<D>& displacements() const { return known_.displacements; }
 
-  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
   template <class Tell>
   void tell(LayerHead head, const Signs<D>& truth, Tell what, const GeometryPass<D>* pass = nullptr) {
-    std::vector<std::byte> layer;
-    if (pass != nullptr) {
-      ByteWriter fields(layer);
-      if (head.kind == LayerKind::NearGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
-      pass->write(fields);
-    }
-    RangeEncoder coder(layer);
-    TruthExchange<D, RangeEncoder, QuantizedField<D>> ask(coder, truth, source_->quantized());
-    what(ask);
-    coder.finish();
-    head.error = rms();
-    append(bytes_, head, layer);
+    layers_.add(head, pass, truth, source_->quantized(), what, [&] { return rms(); });
   }
 
   /// The kernel that places the finest octave's surface best.
@@ -142,7 +132,7 @@ class LayerWriter {
   int number_ = 0;  // of the isovalue in work
   Source<D>* source_;
   Knowledge<D> known_;
-  std::vector<std::byte> bytes_;
+  LayerBytes layers_;
 };
 
 }  // namespace isostar
