@@ -1,0 +1,98 @@
+#include "fresh_rows.h"
+
+#include <gtest/gtest.h>
+
+#include "sign_fields.h"
+
+namespace isostar {
+namespace {
+
+template <class Dimension>
+class FreshRowsTest : public testing::Test {};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+TYPED_TEST_SUITE(FreshRowsTest, Dimensions);
+
+template <int D>
+std::vector<Coordinates<D>> boxes() {
+  if constexpr (D == 2) return {{1, 2}, {16, 17}, {31, 9}};
+  if constexpr (D == 3) return {{2, 2, 2}, {5, 7, 3}, {17, 9, 12}};
+  if constexpr (D == 4) return {{2, 3, 4, 5}, {9, 4, 3, 2}};
+}
+
+template <int D>
+unsigned freshAxes(const Lattice<D>& lattice, const Coordinates<D>& v) {
+  unsigned fresh = 0;
+  for (int a = 0; a < D; ++a) fresh |= lattice.fresh(a, v[a]) ? 1u << a : 0u;
+  return fresh;
+}
+
+/// How many of a diamond's vertices are positive, and how many there are, by the definition.
+template <int D>
+std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v, unsigned fresh) {
+  int positives = 0, all = 0;
+  Coordinates<D> low, high;
+  low.fill(-1);
+  high.fill(1);
+  forEachBetween<D>(low, high, [&](const Coordinates<D>& d) {
+    bool corner = true, across = false, beside = true;
+    Coordinates<D> w;
+    for (int a = 0; a < D; ++a) {
+      const bool inO = (fresh >> a & 1) != 0;
+      corner = corner && (d[a] != 0) == inO;
+      beside = beside && (d[a] == 0 || !inO);
+      across = across || d[a] != 0;
+      w[a] = v[a] + d[a];
+    }
+    if (!corner && !(beside && across)) return;
+    ++all;
+    positives += signs.mirroredAt(w) ? 1 : 0;
+  });
+  return {positives, all};
+}
+
+/// Calls visit(vertex, its row, its number there) for the members of all classes in all bricks.
+template <int D, class Visit>
+void forEachFreshMember(const Signs<D>& signs, const Signs<D>& absent, Visit visit) {
+  FreshRows<D> rows;
+  for (int dimension = 1; dimension <= D; ++dimension) {
+    for (std::size_t place = 0; place < signs.table().total(); ++place) {
+      rows.enter(signs, &absent, place, dimension);
+      for (int i = 0; i < rows.count(); ++i) {
+        const auto& row = rows.row(i);
+        EXPECT_EQ(std::popcount(unsigned{row.fresh}), dimension);
+        for (uint32_t members = row.members; members != 0; members &= members - 1) {
+          const int x = std::countr_zero(members);
+          visit(vertexOf<D>(signs.table().brick(place), row.brick * std::size_t{kBrickSide} + static_cast<std::size_t>(x)), row, x);
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(FreshRowsTest, areOpenAndAbsentAsTheirDiamondsSay) {
+  constexpr int D = TypeParam::value;
+  for (const auto& box : boxes<D>()) {
+    const Lattice<D> lattice(box, 1);
+    const DenseSigns<D> gone(lattice, [](const Coordinates<D>& v) { return scrambled<D>(v, 9) % 30 == 0; });
+    uint64_t expected = 0;
+    forVertices(lattice, [&](const Coordinates<D>& v) { expected += freshAxes<D>(lattice, v) != 0 ? 1 : 0; });
+    for (const auto& field : signFields<D>(box)) {
+      SCOPED_TRACE(field.name + " in " + testing::PrintToString(box));
+      const DenseSigns<D> truth(lattice, field.positive);
+      uint64_t seen = 0;
+      forEachFreshMember(truth.bricks(), gone.bricks(), [&](const Coordinates<D>& v, const auto& row, int x) {
+        const unsigned fresh = freshAxes<D>(lattice, v);
+        const auto [positives, all] = positivesOfDiamond<D>(truth, v, fresh);
+        const bool absent = positivesOfDiamond<D>(gone, v, fresh).first != 0;
+        EXPECT_EQ(fresh, row.fresh) << testing::PrintToString(v);
+        EXPECT_EQ((row.absent >> x & 1) != 0, absent) << testing::PrintToString(v);
+        EXPECT_EQ((row.open >> x & 1) != 0, !absent && positives != 0 && positives != all) << testing::PrintToString(v);
+        ++seen;
+      });
+      EXPECT_EQ(seen, expected);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isostar
