@@ -32,7 +32,7 @@ template <int D>
     window.load(known, tube.table(), tube.at());
     shapes.load(tube.window());
     auto& brick = scalars.writable(place);
-    const Steps steps(gradient + 4 * finer);
+    const SizeUnit unit(gradient + 4 * finer);
     if (hints.displaced()) {
       displaced.load(*hints.displacements, tube.table(), tube.at());
       displaced.spread();
@@ -40,12 +40,13 @@ template <int D>
     tube.forEach([&](int row, std::size_t r, int x) {
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;
-      const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, steps, displaced.at(r, x));
+      const bool positive = tube.positive(row, x);
+      const auto guess = Prediction<D>::of(shapes, window, tube, row, r, x, positive, unit, displaced.at(r, x));
       // Beside known scalars in their ratio to what signs and displacements say of them, or an edge between both would be torn.
-      const int64_t theirs = std::max(guess.theirs, (guess.others + guess.sames) * kShallowest);
-      const int64_t magnitude = guess.confidence == 0 ? guess.magnitude : guess.own * (guess.other + guess.same) / theirs;
-      const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(magnitude, steps.eighth()), INT32_MAX / 2));
-      brick.value[v] = tube.positive(row, x) ? value : -value;
+      const int64_t theirs = std::max<int64_t>(guess.theirs, guess.known * kShallowest);
+      const int64_t magnitude = guess.known == 0 ? guess.magnitude : guess.own * int64_t{guess.other + guess.same} / theirs;
+      const auto value = static_cast<int32_t>(std::min<int64_t>(std::max(magnitude, unit.steps.eighth()) << unit.shift, INT32_MAX / 2));
+      brick.value[v] = positive ? value : -value;
     });
   }
 }

@@ -119,27 +119,20 @@ class Mixer {
   /// fewer than four contexts there may be an estimate that does not learn, in log-odds; it has the next weight.
   template <int Limit, int Rate, class Coder>
   static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights, int32_t estimate = 0) {
-    std::array<int32_t, 4> logOdds{}, states{};
-    int32_t sum = 0;
-    if constexpr (N < 4) {
-      logOdds[N] = std::clamp(estimate, -Logistic::kBound, Logistic::kBound);
-      sum = weights[N] * logOdds[N];
-    }
-    for (int i = 0; i < N; ++i) {
-      states[i] = static_cast<int32_t>(contexts[i]->state_);
-      logOdds[i] = Logistic::stretch(contexts[i]->state_ >> 16);
-      sum += weights[i] * logOdds[i];
-    }
-    const uint32_t chance = Logistic::squash(sum >> 14);
+    const auto state = [&](int i) { return i < N ? contexts[static_cast<std::size_t>(i % N)]->state_ : 0; };
+    const std::array<uint32_t, 4> states{state(0), state(1), state(2), state(3)};
+    const auto logOdds = [&](int i) { return i < N ? Logistic::stretch(states[static_cast<std::size_t>(i)] >> 16) : std::clamp(estimate, -Logistic::kBound, Logistic::kBound); };
+    const int32_t a = logOdds(0), b = logOdds(1), c = logOdds(2), d = logOdds(3);
+    const uint32_t chance = Logistic::squash((weights[0] * a + weights[1] * b + (weights[2] * c + weights[3] * d)) >> 14);
     const bool value = coder.bit(truth, chance);
     const int32_t error = (static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance)) >> 2;
-    const Lanes inputs{logOdds[0], logOdds[1], logOdds[2], logOdds[3]};
     Lanes trust = lanesAt(weights.data());
-    trust += (inputs * error + (1 << (Rate + 1))) >> (Rate + 2);
+    trust += (Lanes{a, b, c, d} * error + (1 << (Rate + 1))) >> (Rate + 2);
     trust = clamped(trust, 8 * kOne);
     std::memcpy(weights.data(), &trust, sizeof trust);
-    const Lanes learned = Chance::learned<Limit>(Lanes{states[0], states[1], states[2], states[3]}, value);
-    for (int i = 0; i < N; ++i) contexts[i]->state_ = static_cast<uint32_t>(learned[i]);
+    const Lanes known{static_cast<int32_t>(states[0]), static_cast<int32_t>(states[1]), static_cast<int32_t>(states[2]), static_cast<int32_t>(states[3])};
+    const Lanes learned = Chance::learned<Limit>(known, value);
+    for (int i = 0; i < N; ++i) contexts[static_cast<std::size_t>(i)]->state_ = static_cast<uint32_t>(learned[i]);
     return value;
   }
 

@@ -84,13 +84,14 @@ class OctavesCoder {
       displaced_.load(*hints_.displacements, tube_.table(), tube_.at());
       displaced_.spread();
     }
-    const Steps steps(gradient_);
+    const SizeUnit unit(gradient_);
+    shift_ = unit.shift;
     // Positive vertices first: the others then know the far ends of their crossing edges.
     for (const bool positive : {true, false}) tube_.forEach(positive, [&](int row, std::size_t r, int x) {
       if (ask.spent()) return;
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;  // by another isovalue
-      const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, steps, displaced_.at(r, x));
+      const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, positive, unit, displaced_.at(r, x));
       const int octave = tellOctave(ask, guess, ask.magnitude(place, r, x));
       const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor_ + octave - 1);
       brick.set(v, positive, low, octave == 0 ? floor_ : floor_ + octave - 1);
@@ -98,35 +99,26 @@ class OctavesCoder {
     });
   }
 
-  /// 8 log2 of a magnitude, roughly; 0 for nothing.
-  static int eighths(uint64_t magnitude) {
-    if (magnitude == 0) return 0;
-    const int top = 63 - std::countl_zero(magnitude);
-    return top * 8 + static_cast<int>((top >= 3 ? magnitude >> (top - 3) : magnitude << (3 - top)) & 7) + 1;
-  }
-
-  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none.
-  [[nodiscard]] std::size_t relative(int64_t sum, int count) const {
-    if (count == 0) return 0;
-    const int size = eighths(static_cast<uint64_t>(sum * reciprocal(2 * count) >> 16)) / 4 - gradient_ / 2;
-    return static_cast<std::size_t>(std::clamp(size + 11, 1, 15));
+  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none. `size`: eighths() of a sum of so many.
+  [[nodiscard]] std::size_t relative(int size, int count) const {
+    static constexpr std::array<int8_t, 9> kOfTwice{0, 8, 16, 21, 24, 27, 29, 30, 32};  // 8 log2 of twice as many
+    const int halves = ((size - kOfTwice[static_cast<std::size_t>(count)]) >> 2) + 2 * shift_ - gradient_ / 2 + 11;
+    return count == 0 ? 0 : static_cast<std::size_t>(std::clamp(halves, 1, 15));
   }
 
   /// Counted from the floor: from the octave that is guessed, up or down until it is found. The contexts of one vertex lie
   /// side by side.
   template <class Exchange>
   int tellOctave(Exchange& ask, const Prediction<D>& p, uint32_t truth) {
-    const int guessed = eighths(static_cast<uint64_t>(p.magnitude) / 2);
+    const Lanes sizes = eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}), ones = eighths(Lanes{p.magnitude, p.own});
+    const int toQuanta = 8 * (shift_ - 1), guessed = ones[0] + toQuanta;
     const int octave = std::max(0, 32 - std::countl_zero(truth) - floor_), last = kMostWidth - floor_;
-    const auto guess = static_cast<std::size_t>(std::clamp((guessed - 8 * floor_ + 16) / 2, 0, kGuesses - 1));
     // The same as the neighbours are to what the signs tell of them.
-    const int alike = p.confidence == 0 ? guessed
-                                        : eighths(static_cast<uint64_t>(p.own)) + eighths(static_cast<uint64_t>(p.other + p.same)) -
-                                              eighths(static_cast<uint64_t>(p.theirs)) - 8;
-    const auto ratio = static_cast<std::size_t>(std::clamp((alike - 8 * floor_ + 16) / 2, 0, kGuesses - 1));
-    const auto confidence = static_cast<std::size_t>(p.confidence), shape = static_cast<std::size_t>(p.shape);
+    const int alike = p.known == 0 ? guessed : ones[1] + sizes[2] - sizes[3] + toQuanta;
+    const auto fromFloor = [&](int size) { return static_cast<std::size_t>(std::clamp((size - 8 * floor_ + 16) >> 1, 0, kGuesses - 1)); };
+    const std::size_t guess = fromFloor(guessed), ratio = fromFloor(alike), other = relative(sizes[0], p.others), same = relative(sizes[1], p.known - p.others);
+    const auto confidence = static_cast<std::size_t>(std::min(p.known, 3)), shape = static_cast<std::size_t>(p.shape);
     const auto crossings = static_cast<std::size_t>(std::min(p.crossings, kCrossings - 1));
-    const std::size_t other = relative(p.other, p.others), same = relative(p.same, p.sames);
     Chance* const byShape = &byShape_[(crossings * 64 + shape) * kMostOctaves];
     Chance* const byGuess = &byGuess_[((confidence * kGuesses + guess) * 4 + other / 4) * kMostOctaves];
     Chance* const bySizes = &bySizes_[((crossings * 16 + other) * 16 + same) * kMostOctaves];
@@ -137,14 +129,11 @@ class OctavesCoder {
       return Mixer<kInputs>::template bit<127, 10>(ask.coder(), octave > k, {byShape + at, byGuess + at, bySizes + at, byAll + at},
                                                    weights_[at * 4 + trust]);
     };
-    int k = std::clamp((guessed - 1) / 8 + 1 - floor_, 0, last);
-    if (k < last && above(k)) {
-      do ++k;
-      while (k < last && above(k));
-    } else {
-      while (k > 0 && !above(k - 1)) --k;
+    int k = std::clamp(((guessed - 1) >> 3) + 1 - floor_, 0, last);
+    const bool up = k < last && above(k);
+    for (k += up ? 1 : -1; k >= 0 && k < last && above(k) == up; k += up ? 1 : -1) {
     }
-    return k;
+    return up ? k : k + 1;
   }
 
   Hints<D> hints_;
@@ -152,7 +141,7 @@ class OctavesCoder {
   Tube<D> tube_;
   ScalarWindow<D> window_;
   ShapeEstimate<D> shapes_{Kernel::Wide};  // as a context best for all
-  int gradient_ = 0, floor_ = 0;  // of the brick in work
+  int gradient_ = 0, floor_ = 0, shift_ = 0;  // of the brick in work
   int lastGradient_ = 0;
   std::array<Chance, 16> gradientModel_;
   std::vector<Chance> byShape_, byGuess_, bySizes_, byAll_;

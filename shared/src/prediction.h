@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "lanes.h"
 #include "reciprocal.h"
 #include "scalar_window.h"
+#include "seldom.h"
 #include "shape_estimate.h"
 #include "tube.h"
 
@@ -28,60 +30,73 @@ class Steps {
   int64_t steps_;
 };
 
-/// The neighbours along the axes, and a guess from them. More of them, and pairs of opposite ones, were measured to cost
-/// time and not to save bytes.
+/// Sizes of scalars in units of 2^shift half quanta, so that 24 bits hold sums of them.
+struct SizeUnit {
+  static constexpr int kMostSize = 1 << 21;
+
+  int shift;
+  Steps steps;  // in these units
+
+  /// From a gradient as Scalars keep it, which has 18 bits at the most.
+  explicit SizeUnit(int gradient) : shift(std::max(0, gradient / 4 - 17)), steps(gradient - 4 * shift) {}
+};
+
+/// The neighbours along the axes, and a guess from them, in SizeUnits. More of them, and pairs of opposite ones, were measured to
+/// cost time and not to save bytes.
 template <int D>
 struct Prediction {
   static constexpr int32_t kLeastEstimate = 256;
 
-  int64_t magnitude = 0;  // the guess, half quanta
-  int64_t own = 0, theirs = 0;  // what the signs and displacements alone tell of this vertex, and of known neighbours summed up
-  int confidence = 0;     // 0: from the signs alone … 3: three neighbours or more are known
+  int32_t magnitude = 0;  // the guess
+  int32_t own = 0, theirs = 0;  // what the signs and displacements alone tell of this vertex, and of known neighbours summed up
   int shape = 0;          // 0 … 63: the weighed sum of signs, seen from the vertex's own side
   int crossings = 0;      // neighbours of the other sign
-  int64_t other = 0, same = 0;  // |scalars| of the known neighbours of each sign, summed up; half quanta
-  int others = 0, sames = 0;    // how many these are
+  int32_t other = 0, same = 0;  // |scalars| of the known neighbours of each sign, summed up
+  int others = 0, known = 0;    // how many neighbours of the other sign are known, and of both
 
   /// Of vertex x in row r of the tube's brick, in row `row` of its window. Known neighbours are extrapolated along the
   /// slope that the signs show. `displaced`: by how much the surface lies off where they put it, as a ShapeEstimate counts.
-  static Prediction of(const ShapeEstimate<D>& shapes, const ScalarWindow<D>& scalars, const Tube<D>& tube, int row, std::size_t r, int x,
-                       const Steps& steps, int32_t displaced) {
+  ISOSTAR_OFTEN static Prediction of(const ShapeEstimate<D>& shapes, const ScalarWindow<D>& scalars, const Tube<D>& tube, int row, std::size_t r,
+                                              int x, bool mine, const SizeUnit& unit, int32_t displaced) {
     Prediction p;
-    const bool mine = tube.positive(row, x);
     const int32_t estimate = shapes.sum(r, x) - displaced, own = mine ? estimate : -estimate;
     p.own = std::max(own, kLeastEstimate);
     p.shape = std::clamp((own + 1024) >> 7, 0, 63);
+    p.crossings = mine ? 2 * D - tube.positivesBeside(row, x) : tube.positivesBeside(row, x);
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
-    int64_t sum = 0;
-    int32_t tilt = 0;
+    std::array<int32_t, kVectors * 4> values, slopes{};
+    values.fill(Scalars<D>::kUnknown);
     for (int a = 0; a < D; ++a) {
-      for (int side = -1; side <= 1; side += 2) {
-        const bool theirs = a == 0 ? tube.positive(row, x + side) : tube.positive(row + side * Window<D>::rowStride(a), x);
-        const int32_t value = here[side * ScalarWindow<D>::stride(a)];
-        // Masks instead of branches, which nobody could predict.
-        const int32_t known = value == Scalars<D>::kUnknown ? 0 : -1, crossing = theirs != mine ? -1 : 0;
-        const int32_t size = (value < 0 ? -(value & known) : value) & known;
-        p.crossings -= crossing;
-        p.other += size & crossing;
-        p.others -= known & crossing;
-        p.same += size & ~crossing;
-        p.sames -= known & ~crossing;
-        sum += value & known;
-        const int32_t slope = side * shapes.slope(a, r, x), beside = estimate + slope;
-        tilt += (known & 1) * slope;
-        p.theirs += std::max(value < 0 ? -beside : beside, kLeastEstimate) & known;
-      }
+      const int32_t slope = shapes.slope(a, r, x);
+      values[2 * a] = here[-ScalarWindow<D>::stride(a)];
+      values[2 * a + 1] = here[ScalarWindow<D>::stride(a)];
+      slopes[2 * a] = -slope;
+      slopes[2 * a + 1] = slope;
     }
-    const int count = p.others + p.sames;
-    if (count == 0) {
-      p.magnitude = own <= 0 ? 0 : steps.times(own);
-    } else {
-      sum -= steps.times(tilt);
-      p.magnitude = std::max<int64_t>(0, (mine ? sum : -sum) * reciprocal(count) >> 16);
-      p.confidence = std::min(count, 3);
+    Lanes others{}, all{}, theirs{}, counted{};
+    for (std::size_t i = 0; i < kVectors; ++i) {
+      const Lanes value = lanes(&values[i * 4]), slope = lanes(&slopes[i * 4]);
+      const Lanes known = value != Scalars<D>::kUnknown, negative = value >> 31, crossing = mine ? negative : ~negative;
+      const Lanes size = smaller(((value ^ negative) - negative) >> unit.shift, Lanes{} + SizeUnit::kMostSize) & known;
+      others += size & crossing;
+      all += size;
+      theirs += larger(((slope + estimate) ^ negative) - negative, Lanes{} + kLeastEstimate) & known;
+      counted += ((slope << 8) + 16 + (crossing & 1)) & known;
     }
+    const Lanes sum = sums(others, all, theirs, counted);
+    p.other = sum[0];
+    p.same = sum[1] - sum[0];
+    p.theirs = sum[2];
+    p.others = sum[3] & 15;
+    p.known = sum[3] >> 4 & 15;
+    const int64_t tilt = unit.steps.times(sum[3] >> 8), along = p.same - p.other - (mine ? tilt : -tilt);
+    p.magnitude = static_cast<int32_t>(std::max<int64_t>(0, p.known == 0 ? unit.steps.times(own) : along * reciprocal(p.known) >> 16));
     return p;
   }
+
+ private:
+  static constexpr std::size_t kVectors = (2 * D + 3) / 4;
+  static Lanes lanes(const int32_t* values) { return Lanes{values[0], values[1], values[2], values[3]}; }
 };
 
 }  // namespace isostar

@@ -101,6 +101,13 @@ class Tube {
   [[nodiscard]] const Coordinates<D>& at() const { return at_; }
   [[nodiscard]] bool positive(int row, int x) const { return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0; }
 
+  /// How many of a vertex's neighbours along the axes are positive.
+  [[nodiscard]] int positivesBeside(int row, int x) const {
+    int count = std::popcount(bits(row) >> (x + Window<D>::kHalo - 1) & 5u);
+    for (int a = 1; a < D; ++a) count += positive(row - Window<D>::rowStride(a), x) + positive(row + Window<D>::rowStride(a), x);
+    return count;
+  }
+
   /// The axes on which vertex x of row r is odd.
   [[nodiscard]] static unsigned parity(std::size_t r, int x) {
     unsigned odd = static_cast<unsigned>(x) & 1;
