@@ -72,6 +72,14 @@ class BrickTable {
     for (int a = 0; a < D; ++a) at += static_cast<std::size_t>(brick[a]) * stride_[a];
     return at;
   }
+  static constexpr std::size_t kNowhere = SIZE_MAX;
+  using Around = std::array<std::size_t, power(3, D)>;
+  /// The places of the 3^D bricks around one, itself in the middle, the first axis fastest; kNowhere beyond the table.
+  [[gnu::noinline]] Around around(const Coordinates<D>& brick) const {
+    Around places;
+    alongAxis<D - 1>(brick, place(brick), places.data());
+    return places;
+  }
   /// Of the brick that a vertex lies in.
   [[nodiscard]] std::size_t placeOf(const Coordinates<D>& v) const {
     std::size_t place = 0;
@@ -92,6 +100,16 @@ class BrickTable {
   }
 
  private:
+  template <int Axis>
+  void alongAxis(const Coordinates<D>& brick, std::size_t place, std::size_t* places) const {
+    place -= stride_[Axis];
+    for (int32_t at = brick[Axis] - 1; at <= brick[Axis] + 1; ++at, places += power(3, Axis), place += stride_[Axis]) {
+      if (static_cast<uint32_t>(at) >= static_cast<uint32_t>(count_[Axis])) std::fill_n(places, power(3, Axis), kNowhere);
+      else if constexpr (Axis == 0) *places = place;
+      else alongAxis<Axis - 1>(brick, place, places);
+    }
+  }
+
   std::array<int32_t, D> count_{};
   std::array<std::size_t, D> stride_{};
   std::size_t total_ = 0;

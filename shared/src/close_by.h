@@ -1,6 +1,7 @@
 // Further isovalues on top of the first (§5.4): what both sides know of them.
 #pragma once
 
+#include <memory>
 #include <tuple>
 
 #include "near_halving_coder.h"
@@ -58,6 +59,7 @@ class CloseBy {
   template <class Exchange>
   [[gnu::noinline]] void signs(Exchange& ask, const First& first, double isovalue, int32_t level, int32_t margin) {
     if (surfaces_.empty()) takeOver(first);
+    if (!coders_) coders_ = std::make_unique<Coders>();
     NearSurface<D> fresh;
     fresh.isovalue = isovalue;
     fresh.level = level;
@@ -69,7 +71,7 @@ class CloseBy {
     if (near.above) std::tie(task.above, task.levelAbove) = std::pair(near.above->signs, near.above->level);
     fresh.signs = *near.nearest(isovalue).signs;
     fresh.scalars = seenFrom(first, level);
-    signsCoder_.tell(ask, task, intervals_, fresh.signs, fresh.scalars);
+    coders_->signs.tell(ask, task, intervals_, fresh.signs, fresh.scalars);
     if (ask.spent()) return;  // not all are known
     fresh.active = activeBricks(fresh.signs);
     surfaces_.push_back(std::move(fresh));
@@ -79,7 +81,7 @@ class CloseBy {
   template <class Exchange>
   [[gnu::noinline]] void octaves(Exchange& ask, Members members, int depth) {
     NearSurface<D>& last = surfaces_.back();
-    octaves_.tell(ask, last.signs, last.scalars, members, depth, last.active);
+    coders_->octaves.tell(ask, last.signs, last.scalars, members, depth, last.active);
     for (std::size_t place = 0; place < last.active.size(); ++place) {
       if (last.active[place] != 0 && last.scalars.has(place)) intervals_.add(place, last.scalars.at(place), last.level);
     }
@@ -89,7 +91,7 @@ class CloseBy {
   template <class Exchange>
   void halvings(Exchange& ask, const typename NearHalvingCoder<D>::Pass& pass) {
     NearSurface<D>& last = surfaces_.back();
-    halvings_.tell(ask, last.signs, last.level, intervals_, last.scalars, pass, last.active);
+    coders_->halvings.tell(ask, last.signs, last.level, intervals_, last.scalars, pass, last.active);
   }
 
   /// The isovalues told on both sides of another.
@@ -154,6 +156,12 @@ class CloseBy {
   [[nodiscard]] std::size_t bricksSeen(const First& first) const { return surfaces_.empty() ? first.scalars.brickCount() : intervals_.brickCount(); }
 
  private:
+  struct Coders {
+    NearSignsCoder<D> signs;
+    OctavesCoder<D> octaves;
+    NearHalvingCoder<D> halvings;
+  };
+
   void takeOver(const First& first) {
     intervals_ = Intervals<D>(first.signs.table().total());
     for (std::size_t place = 0; place < first.scalars.places(); ++place) {
@@ -163,9 +171,7 @@ class CloseBy {
 
   std::vector<NearSurface<D>> surfaces_;
   Intervals<D> intervals_;
-  NearSignsCoder<D> signsCoder_;
-  OctavesCoder<D> octaves_;
-  NearHalvingCoder<D> halvings_;
+  std::unique_ptr<Coders> coders_;  // most streams need none
 };
 
 }  // namespace isostar

@@ -1,6 +1,8 @@
 // A brick's displacements with those next to it, copied where every neighbour is a fixed offset away.
 #pragma once
 
+#include <cstring>
+
 #include "displacements.h"
 #include "halo_window.h"
 
@@ -21,15 +23,19 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
 
   /// Makes at() ready.
   [[gnu::noinline]] void spread() {
-    std::array<int32_t, power(kSide, D)> blocks;
-    for (std::size_t i = 0; i < value.size(); ++i) blocks[i] = value[i] == Values::kNone ? 0 : value[i] * kSum + 1;
-    interpolate(blocks.data());
+    std::array<int8_t, power(kSide, D) + kBrickSide - kSide> padded{};  // rows of kSide are read as eight
+    std::copy(value.begin(), value.end(), padded.begin());
+    std::array<Row, power(kSide, D - 1)> sums, weights;
+    for (std::size_t r = 0; r < sums.size(); ++r) {
+      const Row blocks = __builtin_convertvector(blocksAt(&padded[r * kSide]), Row), told = blocks != Values::kNone;
+      sums[r] = alongRow(blocks & told);
+      weights[r] = alongRow(-told);
+    }
+    interpolate(sums.data(), sums_.data());
+    interpolate(weights.data(), weights_.data());
   }
   /// Of vertex x of row r of the brick, as a ShapeEstimate counts.
-  [[nodiscard]] int32_t at(std::size_t r, int x) const {
-    const int32_t both = vertices_[r * kBrickSide + static_cast<std::size_t>(x)], weight = both & (kSum - 1), sum = (both - weight) / kSum;
-    return sum * kScale[static_cast<std::size_t>(weight)] >> 8;
-  }
+  [[nodiscard]] int32_t at(std::size_t r, int x) const { return sums_[r][x] * kScale[static_cast<std::size_t>(weights_[r][x])] >> 8; }
   /// Of a vertex, -1 … 8 on each axis from the brick's first one: the mean of the blocks nearest to it, its own with three times
   /// the weight on each axis.
   [[nodiscard]] int32_t smooth(const Coordinates<D>& vertex) const {
@@ -74,31 +80,44 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     return scale;
   }();
 
-  /// A sum and its weights in one number: so many to the sum's one.
-  static constexpr int32_t kSum = 1 << 16;
+  /// Eight vertices: from here on blocks' values and their weights are summed up alike.
+  using Row [[gnu::vector_size(16)]] = int16_t;
+  static constexpr std::size_t kRows = power(kBrickSide, D - 1);
+  static constexpr int16_t kOwn = 3;
 
-  /// From blocks to the brick's vertices, axis by axis: three times a vertex's own block and once the nearest one beside it.
-  void interpolate(const int32_t* blocks) {
-    std::array<int32_t, power(kBrickSide, D - 1) * kSide> from, to;
-    std::size_t inner = 1, outer = power(kSide, D - 1);
-    for (int axis = 0; axis < D; ++axis, inner *= kBrickSide, outer /= kSide) {
-      int32_t* out = axis == D - 1 ? vertices_.data() : to.data();
+  using Blocks [[gnu::vector_size(8)]] = int8_t;
+  static Blocks blocksAt(const int8_t* first) {
+    Blocks blocks;
+    std::memcpy(&blocks, first, sizeof blocks);
+    return blocks;
+  }
+
+  /// Three times a vertex's own block and once the nearest one beside it, along the first axis.
+  static Row alongRow(Row blocks) {
+    return kOwn * __builtin_shufflevector(blocks, blocks, 1, 1, 2, 2, 3, 3, 4, 4) + __builtin_shufflevector(blocks, blocks, 0, 2, 1, 3, 2, 4, 3, 5);
+  }
+  /// The same along the others, from the blocks' rows to the vertices'.
+  static void interpolate(const Row* blocks, Row* vertices) {
+    std::array<std::array<Row, kRows / kBrickSide * kSide>, 2> between;
+    std::size_t inner = 1, outer = power(kSide, D - 2);
+    for (int axis = 1; axis < D; ++axis, inner *= kBrickSide, outer /= kSide) {
+      Row* const to = axis == D - 1 ? vertices : between[static_cast<std::size_t>(axis) % 2].data();
+      Row* out = to;
       for (std::size_t o = 0; o < outer; ++o) {
-        const int32_t* here = blocks + o * kSide * inner;
+        const Row* here = blocks + o * kSide * inner;
         for (int block = 0; block < Values::kSide; ++block, out += 2 * inner) {
           here += inner;
           for (std::size_t i = 0; i < inner; ++i) {
-            out[i] = 3 * here[i] + here[i - inner];
-            out[inner + i] = 3 * here[i] + here[inner + i];
+            out[i] = kOwn * here[i] + here[i - inner];
+            out[inner + i] = kOwn * here[i] + here[inner + i];
           }
         }
       }
-      from.swap(to);
-      blocks = from.data();
+      blocks = to;
     }
   }
 
-  std::array<int32_t, power(kBrickSide, D)> vertices_{};
+  std::array<Row, kRows> sums_{}, weights_{};
 };
 
 }  // namespace isostar

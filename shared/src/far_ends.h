@@ -19,11 +19,13 @@ class FarEnds {
   /// Of vertex x of row r, where their scalars are known.
   void find(const ScalarWindow<D>& window, std::size_t r, int x, bool mine, const Allowed& allowed) {
     const int32_t* here = &window.value[ScalarWindow<D>::index(r, x)];
-    count_ = 0;
+    std::size_t count = 0;
     for (int a = 0; a < D; ++a) {
-      for (int side = -1; side <= 1; side += 2) add(here[side * ScalarWindow<D>::stride(a)], mine, allowed[std::size_t{1} << a]);
+      for (int side = -1; side <= 1; side += 2) count = add(here[side * ScalarWindow<D>::stride(a)], mine, allowed[std::size_t{1} << a], count);
     }
-    if (allowed.back() != 0) findDiagonals(here, mine, Tube<D>::parity(r, x), allowed);
+    if (allowed.back() != 0) count = findDiagonals(here, mine, Tube<D>::parity(r, x), allowed, count);
+    for (std::size_t i = 0; i < count; ++i) ends_[i].size = scaled(ends_[i].size);
+    count_ = count;
   }
 
   /// May an interval of `width` quanta around `middle` half quanta move a crossing on one of the edges by more than
@@ -41,12 +43,12 @@ class FarEnds {
 
  private:
   struct End {
-    uint64_t size;  // of its scalar, half quanta, scaled
-    uint64_t allowed;
+    uint32_t size;  // of its scalar, half quanta, scaled
+    uint32_t allowed;
   };
   static constexpr uint32_t kMostSize = 1u << 22;
 
-  void findDiagonals(const int32_t* here, bool mine, unsigned parity, const Allowed& allowed) {
+  std::size_t findDiagonals(const int32_t* here, bool mine, unsigned parity, const Allowed& allowed, std::size_t count) {
     Coordinates<D> d;
     d.fill(-1);
     for (std::size_t n = 0; n < power(3, D); ++n) {
@@ -57,22 +59,24 @@ class FarEnds {
         offset += d[a] * ScalarWindow<D>::stride(a);
       }
       // Ends are even on all axes of the diagonal, or odd on all.
-      if (!std::has_single_bit(axes) && axes != 0 && ((parity & axes) == 0 || (parity & axes) == axes)) add(here[offset], mine, allowed[axes]);
+      if (!std::has_single_bit(axes) && axes != 0 && ((parity & axes) == 0 || (parity & axes) == axes)) count = add(here[offset], mine, allowed[axes], count);
       for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
     }
+    return count;
   }
 
   /// Written always, counted where it is one: a branch less that nobody could predict.
-  void add(int32_t value, bool mine, uint32_t allowed) {
-    ends_[count_] = {scaled(static_cast<uint32_t>(value < 0 ? -int64_t{value} : value)), allowed};
-    count_ += value != Scalars<D>::kUnknown && (value > 0) != mine ? 1 : 0;
+  std::size_t add(int32_t value, bool mine, uint32_t allowed, std::size_t count) {
+    const auto size = static_cast<uint32_t>(mine ? -int64_t{value} : value);
+    ends_[count] = {size, allowed};
+    return count + (size - 1 < 0x7FFFFFFFu ? 1 : 0);  // neither is an unknown one
   }
 
   /// To 22 bits for sizes up to 16 gradients, so that products fit.
-  [[nodiscard]] uint64_t scaled(uint32_t size) const { return std::clamp<uint32_t>(size >> scale_, 1, kMostSize); }
+  [[nodiscard]] uint32_t scaled(uint32_t size) const { return std::clamp<uint32_t>(size >> scale_, 1, kMostSize); }
 
   int scale_ = 0;
-  std::array<End, power(3, D)> ends_;
+  std::array<End, power(3, D) + 1> ends_;
   std::size_t count_ = 0;
 };
 

@@ -19,16 +19,8 @@ class HaloWindow {
   template <class ItemsAt>
   void gather(const BrickTable<D>& table, const Coordinates<D>& brick, const Item* nothing, ItemsAt itemsAt) {
     std::array<const Item*, power(3, D)> near;
-    for (std::size_t n = 0; n < near.size(); ++n) {
-      std::size_t place = 0, digits = n;
-      bool inside = true;
-      for (int a = 0; a < D; ++a, digits /= 3) {
-        const int32_t at = brick[a] + static_cast<int32_t>(digits % 3) - 1;
-        inside = inside && at >= 0 && at < table.count(a);
-        place += static_cast<std::size_t>(at) * table.stride(a);
-      }
-      near[n] = inside ? itemsAt(place) : nothing;
-    }
+    const auto places = table.around(brick);
+    for (std::size_t n = 0; n < near.size(); ++n) near[n] = places[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(places[n]);
     for (std::size_t i = 0; i < kSources.size(); ++i) {
       const Item* const* const source = &near[kSources[i].near];
       const std::size_t row = kSources[i].row;

@@ -18,11 +18,11 @@ struct Interpolation {
     int pairs = 0;
     for (int a = 0; a < D; ++a) {
       const int32_t before = here[-ScalarWindow<D>::stride(a)], after = here[ScalarWindow<D>::stride(a)];
-      const bool known = before != Scalars<D>::kUnknown && after != Scalars<D>::kUnknown;
-      sum += known ? int64_t{before} + after : 0;
-      pairs += known ? 1 : 0;
+      // A mask instead of a branch, which nobody could predict.
+      const int32_t known = before == Scalars<D>::kUnknown || after == Scalars<D>::kUnknown ? 0 : -1;
+      sum += (int64_t{before} + after) & known;
+      pairs -= known;
     }
-    if (pairs == 0) return {};
     const int64_t mean = (positive ? sum : -sum) * reciprocal(2 * pairs) >> 16;
     return {std::max<int64_t>(0, mean), std::min(pairs, 3)};
   }

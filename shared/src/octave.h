@@ -155,26 +155,17 @@ bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t unifo
 /// Does a uniform brick touch a vertex of the other sign?
 template <int D>
 bool touchesOther(const Signs<D>& signs, std::size_t place, const Coordinates<D>& at) {
-  const auto& table = signs.table();
   const uint32_t uniform = signs.index(place);
   Coordinates<D> d;
   d.fill(-1);
-  for (;;) {
-    bool inside = true;
-    std::size_t other = 0;
-    for (int a = 0; a < D; ++a) {
-      const int32_t v = at[a] + d[a];
-      inside = inside && v >= 0 && v < table.count(a);
-      other += static_cast<std::size_t>(v) * table.stride(a);
-    }
-    if (inside) {
+  for (const std::size_t other : signs.table().around(at)) {
+    if (other != BrickTable<D>::kNowhere) {
       const uint32_t index = signs.index(other);
       if (index <= Signs<D>::kPositive ? index != uniform : facingVaries<D>(signs.brick(index), d, uniform)) return true;
     }
-    int a = 0;
-    for (; a < D && ++d[a] == 2; ++a) d[a] = -1;
-    if (a == D) return false;
+    for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
   }
+  return false;
 }
 
 /// Marks the bricks that hold both signs or touch a vertex of the other sign; 1 marked, 0 quiet, by place.
@@ -214,21 +205,12 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
 template <int D>
 void activateAround(const Signs<D>& signs, std::size_t place, std::vector<uint8_t>& active) {
   const auto& table = signs.table();
-  const auto at = table.brick(place);
   active[place] = 1;
-  Coordinates<D> d;
-  d.fill(-1);
-  for (std::size_t n = 0; n < power(3, D); ++n) {
-    bool inside = true;
-    std::size_t other = 0;
-    for (int a = 0; a < D; ++a) {
-      const int32_t v = at[a] - d[a];
-      inside = inside && v >= 0 && v < table.count(a);
-      other += static_cast<std::size_t>(v) * table.stride(a);
-    }
-    // Seen from the neighbour, the brick lies in direction d.
-    if (inside && active[other] == 0 && facingVaries<D>(signs.brickAt(place), d, signs.index(other))) active[other] = 1;
-    for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+  Coordinates<D> d;  // in which the brick lies, seen from a neighbour
+  d.fill(1);
+  for (const std::size_t other : table.around(table.brick(place))) {
+    if (other != BrickTable<D>::kNowhere && active[other] == 0 && facingVaries<D>(signs.brickAt(place), d, signs.index(other))) active[other] = 1;
+    for (int a = 0; a < D && --d[a] == -2; ++a) d[a] = 1;
   }
 }
 

@@ -32,7 +32,7 @@ class Window {
     const auto& lattice = signs.lattice();
     bool interior = true;
     for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
-    const Near near = bricksAround(signs, brick, interior);
+    const Near near = bricksAround(signs, brick);
     copy(near);
     if (interior) return;
     mirrorRows(near, lattice, brick);
@@ -64,21 +64,11 @@ class Window {
   using Near = std::array<const uint8_t*, power(3, D)>;
 
   /// Three a row of bricks; for one beyond the table another stands in until mirror images cover it.
-  static Near bricksAround(const Signs<D>& signs, const Coordinates<D>& brick, bool interior) {
-    const auto& table = signs.table();
-    const auto centre = static_cast<std::ptrdiff_t>(table.place(brick));
+  static Near bricksAround(const Signs<D>& signs, const Coordinates<D>& brick) {
+    const auto places = signs.table().around(brick);
+    const std::size_t own = places[places.size() / 2];
     Near near;
-    std::array<int32_t, D> d;
-    d.fill(-1);
-    for (const uint8_t*& rowsOfBrick : near) {
-      std::ptrdiff_t place = centre;
-      for (int a = 0; a < D; ++a) {
-        const int32_t step = interior ? d[a] : std::clamp(brick[a] + d[a], 0, table.count(a) - 1) - brick[a];
-        place += step * static_cast<std::ptrdiff_t>(table.stride(a));
-      }
-      rowsOfBrick = signs.brickAt(static_cast<std::size_t>(place)).rows.data();
-      for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
-    }
+    for (std::size_t n = 0; n < near.size(); ++n) near[n] = signs.brickAt(places[n] == BrickTable<D>::kNowhere ? own : places[n]).rows.data();
     return near;
   }
 
