@@ -90,7 +90,9 @@ class DisplacementCoder {
     int sum = 0, count = 0;
 
     void add(int8_t value, int own, int weight = 1) {
-      if (value != Values::kNone) sum += weight * (value - own), count += weight;
+      weight = value == Values::kNone ? 0 : weight;  // without a branch, which nobody could predict
+      sum += weight * (value - own);
+      count += weight;
     }
     [[nodiscard]] Differences with(const Differences& other) const { return {sum + other.sum, count + other.count}; }
     /// Their mean as a context, one of `most`, which reach two steps up and down.
@@ -129,29 +131,28 @@ class DisplacementCoder {
     Differences wideBelow = below, wideAbove = above;
     if (side == 1) {
       wideBelow = wideAbove = {};
-      for (const Neighbour& n : kNeighbours) (n.offset < 0 ? wideBelow : wideAbove).add(here[n.offset], own, n.weight);
+      for (const Neighbour& n : kAbove) {
+        wideBelow.add(here[-n.offset], own, n.weight);
+        wideAbove.add(here[n.offset], own, n.weight);
+      }
     }
     return {below.mean(step, kMeans), below.with(above).mean(step, kWideMeans), wideBelow.mean(step, kWideMeans), wideBelow.with(wideAbove).mean(step, kWideMeans),
             static_cast<std::size_t>(std::min(below.count, kTrusts - 1)), static_cast<std::size_t>(std::min(wideBelow.count / 2, kWideTrusts - 1)),
             static_cast<std::size_t>(std::min((members - 1) / 2, kShares - 1))};
   }
 
-  /// A block's neighbour one step away on one axis or two, in a window.
+  /// A block's neighbour one step away on one axis or two, above it in a window; as far below there is one of the same weight.
   struct Neighbour {
     int16_t offset, weight;
   };
-  static constexpr auto kNeighbours = [] {
-    std::array<Neighbour, 2 * D * D> neighbours{};
+  static constexpr auto kAbove = [] {
+    std::array<Neighbour, D * D> neighbours{};
     std::size_t count = 0;
     for (int a = 0; a < D; ++a) {
-      for (int b = 0; b <= a; ++b) {
-        for (const int up : {-1, 1}) {
-          for (const int side : {-1, 1}) {
-            if (a == b && side != up) continue;
-            const int offset = up * DisplacementWindow<D>::stride(a) + (a == b ? 0 : side * DisplacementWindow<D>::stride(b));
-            neighbours[count++] = {static_cast<int16_t>(offset), static_cast<int16_t>(a == b ? 2 : 1)};
-          }
-        }
+      const int along = DisplacementWindow<D>::stride(a);
+      neighbours[count++] = {static_cast<int16_t>(along), 2};
+      for (int b = 0; b < a; ++b) {
+        for (const int side : {-1, 1}) neighbours[count++] = {static_cast<int16_t>(along + side * DisplacementWindow<D>::stride(b)), 1};
       }
     }
     return neighbours;

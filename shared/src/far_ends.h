@@ -20,9 +20,10 @@ class FarEnds {
   void find(const ScalarWindow<D>& window, std::size_t r, int x, bool mine, const Allowed& allowed) {
     const int32_t* here = &window.value[ScalarWindow<D>::index(r, x)];
     std::size_t count = 0;
-    for (int a = 0; a < D; ++a) {
-      for (int side = -1; side <= 1; side += 2) count = add(here[side * ScalarWindow<D>::stride(a)], mine, allowed[std::size_t{1} << a], count);
-    }
+    forEachAxis<D>([&](auto a) {
+      count = add(here[-ScalarWindow<D>::stride(a)], mine, allowed[std::size_t{1} << a], count);
+      count = add(here[ScalarWindow<D>::stride(a)], mine, allowed[std::size_t{1} << a], count);
+    });
     if (allowed.back() != 0) count = findDiagonals(here, mine, Tube<D>::parity(r, x), allowed, count);
     for (std::size_t i = 0; i < count; ++i) ends_[i].size = scaled(ends_[i].size);
     count_ = count;

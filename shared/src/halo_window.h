@@ -12,7 +12,14 @@ class HaloWindow {
   static constexpr int kSide = Side + 2;
   std::array<Item, power(kSide, D)> value{};
 
-  static constexpr int stride(int axis) { return static_cast<int>(power(kSide, axis)); }
+  /// By axis: a table, as a compiler that leaves a loop over axes as it is would make powers over and over.
+  static constexpr std::array<int, D> kStrides = [] {
+    std::array<int, D> strides{};
+    for (int a = 0; a < D; ++a) strides[static_cast<std::size_t>(a)] = static_cast<int>(power(kSide, a));
+    return strides;
+  }();
+
+  static constexpr int stride(int axis) { return kStrides[static_cast<std::size_t>(axis)]; }
 
  protected:
   /// `itemsAt(place)`: of a brick; `nothing`: of one beyond the table.

@@ -47,7 +47,7 @@ class HalvingCoder {
   /// As Scalars keep it, without the sign.
   struct Interval {
     uint32_t middle;
-    [[nodiscard]] int width() const { return std::countr_zero(middle); }
+    int width;
   };
   static constexpr int kRatios = 32;
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
@@ -57,7 +57,7 @@ class HalvingCoder {
     const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
     if (!brick.knows(v)) return;
     const bool positive = brick.value[v] > 0;
-    Interval interval{brick.middle(v)};
+    Interval interval{brick.middle(v), brick.width(v)};
     farEnds_.find(window_, r, x, positive, pass.allowed);
     if (!moves(interval, pass.selective)) return;
     const auto guess = Interpolation<D>::of(window_, r, x, positive);
@@ -68,12 +68,12 @@ class HalvingCoder {
   }
 
   [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
-    return interval.width() > 0 && farEnds_.move(interval.middle, uint32_t{1} << interval.width(), selective);
+    return interval.width > 0 && farEnds_.move(interval.middle, uint32_t{1} << interval.width, selective);
   }
 
   template <class Exchange>
   void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, uint32_t truth) {
-    const int width = interval.width() - 1;
+    const int width = --interval.width;
     // Where the guess lies in the interval, in sixteenths; it may lie outside.
     const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
     const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));

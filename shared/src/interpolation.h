@@ -16,13 +16,13 @@ struct Interpolation {
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
     int64_t sum = 0;
     int pairs = 0;
-    for (int a = 0; a < D; ++a) {
+    forEachAxis<D>([&](auto a) {
       const int32_t before = here[-ScalarWindow<D>::stride(a)], after = here[ScalarWindow<D>::stride(a)];
       // A mask instead of a branch, which nobody could predict.
       const int32_t known = before == Scalars<D>::kUnknown || after == Scalars<D>::kUnknown ? 0 : -1;
       sum += (int64_t{before} + after) & known;
       pairs -= known;
-    }
+    });
     const int64_t mean = (positive ? sum : -sum) * reciprocal(2 * pairs) >> 16;
     return {std::max<int64_t>(0, mean), std::min(pairs, 3)};
   }

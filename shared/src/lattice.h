@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <optional>
 
 namespace isostar {
@@ -64,6 +65,12 @@ struct Lattice {
     return n;
   }
 };
+
+/// Calls visit(axis) for each axis, which is a constant each time: for innermost loops, some of which a compiler would leave as loops.
+template <int D, class Visit>
+void forEachAxis(Visit visit) {
+  [&]<int... Axes>(std::integer_sequence<int, Axes...>) { (visit(std::integral_constant<int, Axes>()), ...); }(std::make_integer_sequence<int, D>());
+}
 
 /// Calls visit(v) for all vertices of a box, both corners included, the first axis fastest.
 template <int D, class Visit>

@@ -66,13 +66,14 @@ struct Prediction {
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
     std::array<int32_t, kVectors * 4> values, slopes{};
     values.fill(Scalars<D>::kUnknown);
-    for (int a = 0; a < D; ++a) {
+    forEachAxis<D>([&](auto a) {
+      constexpr int kStride = ScalarWindow<D>::stride(a);
       const int32_t slope = shapes.slope(a, r, x);
-      values[2 * a] = here[-ScalarWindow<D>::stride(a)];
-      values[2 * a + 1] = here[ScalarWindow<D>::stride(a)];
+      values[2 * a] = here[-kStride];
+      values[2 * a + 1] = here[kStride];
       slopes[2 * a] = -slope;
       slopes[2 * a + 1] = slope;
-    }
+    });
     Lanes others{}, all{}, theirs{}, counted{};
     for (std::size_t i = 0; i < kVectors; ++i) {
       const Lanes value = lanes(&values[i * 4]), slope = lanes(&slopes[i * 4]);

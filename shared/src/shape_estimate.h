@@ -29,14 +29,14 @@ class ShapeEstimate {
       alongRow(smooth_, window.rows[r], fields_[0][r]);
       alongRow(slope_, window.rows[r], fields_[1][r]);
     }
-    std::size_t inner = 1, outer = kRows / Window<D>::kSide;
-    for (std::size_t axis = 1; axis < D; ++axis, inner *= kBrickSide, outer /= Window<D>::kSide) {
-      if constexpr (D > 3) {
-        if (axis == 3) forRows(axis + 1, outer * Window<D>::kSide * inner, [](Row row) { return row >> 4; });
+    forEachAxis<D>([&](auto axis) {
+      if constexpr (axis > 0) {
+        constexpr std::size_t kInner = power(kBrickSide, axis - 1), kOuter = power(Window<D>::kSide, D - 1 - axis);
+        if constexpr (axis == 3) forRows(axis + 1, kOuter * Window<D>::kSide * kInner, [](Row row) { return row >> 4; });
+        slope<kOuter, kInner>(fields_[0].data(), fields_[axis + 1].data());
+        for (std::size_t f = 0; f <= axis; ++f) smooth<kOuter, kInner>(fields_[f].data());
       }
-      slope(fields_[0].data(), fields_[axis + 1].data(), outer, inner);
-      for (std::size_t f = 0; f <= axis; ++f) smooth(fields_[f].data(), outer, inner);
-    }
+    });
     if constexpr (D < 3) forRows(D + 1, power(kBrickSide, D - 1), [](Row row) { return row * kWeightSum; });
   }
 
@@ -93,20 +93,22 @@ class ShapeEstimate {
   }
 
   /// From the twelve planes of a window on an axis to the eight of a brick; in place too, as nothing is read again once it is written over.
-  void smooth(Row* rows, std::size_t outer, std::size_t inner) const {
-    forPlanes(rows, rows, outer, inner, [inner, own = own_, beside = beside_, far = far_](const Row* at) {
-      return far * (at[0] + at[4 * inner]) + beside * (at[inner] + at[3 * inner]) + own * at[2 * inner];
+  template <std::size_t Outer, std::size_t Inner>
+  void smooth(Row* rows) const {
+    forPlanes<Outer, Inner>(rows, rows, [own = own_, beside = beside_, far = far_](const Row* at) {
+      return far * (at[0] + at[4 * Inner]) + beside * (at[Inner] + at[3 * Inner]) + own * at[2 * Inner];
     });
   }
-  void slope(const Row* rows, Row* out, std::size_t outer, std::size_t inner) const {
-    forPlanes(rows, out, outer, inner, [inner, beside = beside_, far = static_cast<int16_t>(2 * far_)](const Row* at) {
-      return far * (at[4 * inner] - at[0]) + beside * (at[3 * inner] - at[inner]);
+  template <std::size_t Outer, std::size_t Inner>
+  void slope(const Row* rows, Row* out) const {
+    forPlanes<Outer, Inner>(rows, out, [beside = beside_, far = static_cast<int16_t>(2 * far_)](const Row* at) {
+      return far * (at[4 * Inner] - at[0]) + beside * (at[3 * Inner] - at[Inner]);
     });
   }
-  template <class Filter>
-  static void forPlanes(const Row* rows, Row* out, std::size_t outer, std::size_t inner, Filter filter) {
-    for (std::size_t o = 0; o < outer; ++o, rows += (Window<D>::kSide - kBrickSide) * inner) {
-      for (std::size_t i = 0; i < kBrickSide * inner; ++i) *out++ = filter(rows++);
+  template <std::size_t Outer, std::size_t Inner, class Filter>
+  static void forPlanes(const Row* rows, Row* out, Filter filter) {
+    for (std::size_t o = 0; o < Outer; ++o, rows += (Window<D>::kSide - kBrickSide) * Inner) {
+      for (std::size_t i = 0; i < kBrickSide * Inner; ++i) *out++ = filter(rows++);
     }
   }
 

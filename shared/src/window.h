@@ -20,7 +20,12 @@ class Window {
   static constexpr int kRows = static_cast<int>(power(kSide, D - 1));
 
   /// Rows between neighbours on axis a ≥ 1.
-  static constexpr int rowStride(int axis) { return static_cast<int>(power(kSide, axis - 1)); }
+  static constexpr int rowStride(int axis) { return kRowStrides[static_cast<std::size_t>(axis)]; }
+  static constexpr std::array<int, D> kRowStrides = [] {
+    std::array<int, D> strides{};
+    for (int a = 1; a < D; ++a) strides[static_cast<std::size_t>(a)] = static_cast<int>(power(kSide, a - 1));
+    return strides;
+  }();
   /// The row through the brick's vertex with outer coordinates `outer` (axis 0 is ignored), each within [-kHalo, 8 + kHalo).
   static constexpr int row(const Coordinates<D>& outer) {
     int at = 0;
