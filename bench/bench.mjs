@@ -1,4 +1,4 @@
-// `npm run bench [-- --data DIR] [--rate] [--figure6 | --paper] [--quick] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
+// `npm run bench [-- --data DIR] [--rate] [--figure6 | --paper] [--quick] [--effort 2] [--only NAME]`: isostar against Draco and others, tables and plots under bench/out/.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -25,6 +25,7 @@ const { values: options } = parseArgs({
     figure6: { type: 'boolean' },  // instead: the paper's figure 6, of the horse and five scans
     paper: { type: 'boolean' },  // instead: what the paper promises beyond uniform streams
     quick: { type: 'boolean' },  // fewer points and rounds
+    effort: { type: 'string' },  // of isostar's encoder
     only: { type: 'string' },  // surfaces whose name contains this
     build: { type: 'string', default: fileURLToPath(new URL('../build', import.meta.url)) },
   },

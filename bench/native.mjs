@@ -10,7 +10,7 @@ async function run(program, words) {
   return JSON.parse(output);
 }
 
-const subject = ({ volume, isovalue }) => [volume, ...(isovalue === undefined ? [] : ['--iso', String(isovalue)])];
+const subject = ({ volume, isovalue, effort }) => [volume, ...(isovalue === undefined ? [] : ['--iso', String(isovalue)]), ...(effort === undefined ? [] : ['--effort', effort])];
 
 export const sizes = (program, input, { rate, quick }) =>
   run(program, ['sizes', ...subject(input), ...(rate ? ['--rate'] : []), ...(quick ? ['--points', '2000', '--prefixes', '6'] : [])]);

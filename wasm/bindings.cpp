@@ -41,6 +41,7 @@ val describeStream(const isostar::StreamInfo& info) {
   out.set("isovalues", arrayOf(info.isovalues));
   out.set("polygonizer", std::string(info.polygonizer == isostar::Polygonizer::Cubes ? "cubes" : "tetrahedra"));
   out.set("lossless", info.lossless);
+  out.set("effort", info.effort);
   out.set("maxError", info.maxError);
   out.set("vertices", double(info.vertices));
   out.set("headerBytes", double(info.headerBytes));

@@ -13,6 +13,7 @@ EncodeOptions boundedBy(double maxError, const Subject& subject) {
   EncodeOptions options;
   options.isovalue = subject.isovalue;
   options.maxError = maxError;
+  options.effort = subject.effort;
   return options;
 }
 
@@ -43,6 +44,7 @@ std::vector<std::byte> encodeIsostarWith(const Subject& subject, double near, do
 std::vector<std::byte> encodeIsostarLossless(const Subject& subject) {
   EncodeOptions options;
   options.isovalue = subject.isovalue;
+  options.effort = subject.effort;
   options.lossless = true;
   return encoded(subject, options);
 }

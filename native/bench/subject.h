@@ -12,12 +12,14 @@ namespace isostar::bench {
 struct SubjectRequest {
   std::string path;
   std::optional<double> isovalue;  // none: the field's own, or Otsu's threshold
+  int effort = 1;                  // of isostar's encoder
 };
 
 /// One isosurface that all codecs have to carry.
 struct Subject {
   native::LoadedVolume volume;
   double isovalue = 0;
+  int effort = 1;
   Mesh mesh;  // marching cubes' of the source, in grid steps, without normals
 };
 

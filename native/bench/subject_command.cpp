@@ -6,6 +6,7 @@ CLI::App& addSubject(CLI::App& app, const std::string& name, const std::string& 
   CLI::App& command = *app.add_subcommand(name, help);
   command.add_option("volume", request.path, "A volume, or synthetic:sphere, torus, gyroid or noise")->required();
   command.add_option("--iso", request.isovalue, "The isovalue; without it Otsu's threshold");
+  command.add_option("--effort", request.effort, "Of isostar's encoder")->check(CLI::Range(1, EncodeOptions::kMostEffort));
   return command;
 }
 

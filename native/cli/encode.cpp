@@ -244,6 +244,10 @@ void addEncode(CLI::App& app) {
   command
       .add_flag("--preserve-topology", options.preserveTopology,
                 "Show no surface on the way that has other components or handles than the last one; volumes only");
+  command
+      .add_option("--effort", options.effort,
+                  "2 makes streams smaller, smooth surfaces' by up to a quarter, and takes longer to encode and to decode")
+      ->check(CLI::Range(1, EncodeOptions::kMostEffort));
   addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
   addUnits(command, arguments->units,
            "What lengths count: steps of the grid's smallest spacing, or the world's unit; then, without --grid, "

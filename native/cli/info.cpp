@@ -62,6 +62,7 @@ void printJson(const StreamInfo& info, double unit) {
       {"lossless", info.lossless},
       {"adaptive", info.adaptive},
       {"preservesTopology", info.preservesTopology},
+      {"effort", info.effort},
       {"trimmed", info.trimmed},
       {"maxError", info.maxError * unit},
       {"bytes", info.bytes},
@@ -96,6 +97,7 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
                     : text("at most %g %s, %s", info.maxError * unit,
                            arguments.units == Units::World ? "world units" : "grid steps", nameOf(info.polygonizer)) +
                           (info.adaptive ? ", adaptive" : ""));
+  if (info.effort > 1) line("effort", text("%d, which takes longer to decode", info.effort));
   if (info.trimmed) line("domain", "ends inside the grid, where the surface is trimmed");
   if (info.preservesTopology) line("topology", "the same on every layer");
 }

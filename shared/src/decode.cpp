@@ -31,6 +31,7 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   info.lossless = h.lossless;
   info.adaptive = h.adaptive;
   info.preservesTopology = h.keepsTopology;
+  info.effort = h.fitted ? 2 : 1;
   info.trimmed = h.trimmed;
   info.maxError = h.lossless ? 0 : h.maxError;
   info.vertices = h.vertices;

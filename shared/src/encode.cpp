@@ -137,6 +137,7 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
                  std::vector<std::byte>& out) {
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
+  if (options.effort < 1 || options.effort > EncodeOptions::kMostEffort) return Error::BadArgument;
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
   if (options.preserveTopology && D != 3) return Error::BadArgument;
   if (options.adaptive && (options.lossless || D == 4 || !options.near.empty())) return Error::BadArgument;
@@ -149,6 +150,7 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   header.polygonizer = options.polygonizer;
   header.lossless = options.lossless;
   header.keepsTopology = options.preserveTopology;
+  header.fitted = options.effort > 1;
   header.maxError = options.lossless ? 0 : std::clamp(options.maxError, 1e-9, 1e9);
   std::deque<Source<D>> sources;
   sources.emplace_back(samples, size, options.isovalue);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <bit>
+#include <optional>
 
 #include "exchange.h"
 #include "far_ends.h"
+#include "fit_coder.h"
 #include "interpolation.h"
 #include "tube.h"
 
@@ -20,22 +22,25 @@ class HalvingCoder {
   using Allowed = typename FarEnds<D>::Allowed;
 
   /// What a pass does: at most `most` halvings of an interval; a selective one first tells of each brick whether it
-  /// takes part.
+  /// takes part; a fitted one tells halves by FitCoder.
   struct Pass {
     Members members = Members::AxisEnds;
     Allowed allowed{};
     int most = 1;
     bool selective = false;
+    bool fitted = false;
   };
 
   template <class Exchange>
   void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
+    if (pass.fitted && !fit_) fit_.emplace();
     for (std::size_t place = 0; place < active.size() && !ask.spent(); ++place) {
       if (active[place] == 0 || !scalars.has(place)) continue;
       if (pass.selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
       gradient_ = scalars.gradient(place);
       farEnds_.setGradient(gradient_);
       window_.load(scalars, signs.table(), signs.table().brick(place));
+      if (pass.fitted) fit_->enter(window_, gradient_);
       auto& brick = scalars.writable(place);
       brick.members[static_cast<std::size_t>(pass.members)].forEach([&](std::size_t r, int x) {
         if (!ask.spent()) vertex(ask, brick, place, r, x, pass);
@@ -61,10 +66,12 @@ class HalvingCoder {
     farEnds_.find(window_, r, x, positive, pass.allowed);
     if (!moves(interval, pass.selective)) return;
     const auto guess = Interpolation<D>::of(window_, r, x, positive);
+    if (pass.fitted) fit_->find(r, x, positive);
     const uint32_t truth = ask.magnitude(place, r, x);
-    for (int told = 0; told < pass.most && moves(interval, pass.selective); ++told) halve(ask, interval, guess, truth);
+    for (int told = 0; told < pass.most && moves(interval, pass.selective); ++told) halve(ask, interval, guess, truth, pass.fitted);
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
+    if (pass.fitted) fit_->tell(r, x, brick.value[v]);
   }
 
   [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
@@ -72,14 +79,15 @@ class HalvingCoder {
   }
 
   template <class Exchange>
-  void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, uint32_t truth) {
+  void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, uint32_t truth, bool fitted) {
     const int width = --interval.width;
     // Where the guess lies in the interval, in sixteenths; it may lie outside.
     const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
     const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
     const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - width, 0, 7));
     Chance& chance = chances_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
-    const bool upper = chance.bit(ask.coder(), 2 * uint64_t{truth} >= interval.middle);
+    const bool isUpper = 2 * uint64_t{truth} >= interval.middle;
+    const bool upper = fitted ? fit_->upper(ask.coder(), isUpper, interval.middle, width, fineness, chance) : chance.bit(ask.coder(), isUpper);
     const uint32_t half = uint32_t{1} << width;
     interval.middle += upper ? half : -half;
   }
@@ -89,6 +97,7 @@ class HalvingCoder {
   FarEnds<D> farEnds_;   // of the vertex in work
   Chance selectModel_;
   std::vector<Chance> chances_;
+  std::optional<FitCoder<D>> fit_;  // where a pass is fitted
 };
 
 }  // namespace isostar

@@ -23,6 +23,7 @@ struct Header {
   bool adaptive = false;   // layers are those of an AdaptiveMesh
   bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest topology, each refinement fills an octave
   bool trimmed = false;  // a layer tells where the domain ends
+  bool fitted = false;   // intervals are halved by FitCoder
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.

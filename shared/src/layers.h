@@ -112,7 +112,7 @@ struct Knowledge {
       told[static_cast<std::size_t>(pass.members)] = true;
       octaves.tell(ask, signs, scalars, pass.members, pass.depth, active, hints());
     } else {
-      halvings.tell(ask, signs, scalars, {pass.members, pass.allowed, pass.most, pass.selective}, active);
+      halvings.tell(ask, signs, scalars, {pass.members, pass.allowed, pass.most, pass.selective, header.fitted}, active);
     }
   }
 

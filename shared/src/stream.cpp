@@ -25,7 +25,8 @@ enum Flag : uint32_t {
   kNear = 256,
   kKeepsTopology = 512,
   kTrimmed = 1024,
-  kKnownFlags = 2047
+  kFitted = 2048,
+  kKnownFlags = 4095
 };
 
 /// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
@@ -67,7 +68,7 @@ void write(ByteWriter& out, const Header& h) {
   const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
                          (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
                          (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear) |
-                         (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u);
+                         (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
   w.u8(kBinary | static_cast<uint32_t>(h.version) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
@@ -126,6 +127,7 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   h.adaptive = (flags & kAdaptive) != 0;
   h.keepsTopology = (flags & kKeepsTopology) != 0;
   h.trimmed = (flags & kTrimmed) != 0;
+  h.fitted = (flags & kFitted) != 0;
   h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
   bool sane = true;
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {

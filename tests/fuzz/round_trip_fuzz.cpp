@@ -63,6 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   options.lossless = input.between(0, 1) == 1;
   options.preserveTopology = input.between(0, 3) == 0;
   options.maxError = input.between(1, 100) / 200.0;
+  options.effort = input.between(1, 2);
   options.isovalue = input.between(0, 3) / 2.0;
   for (int i = input.between(0, 5) / 2; i > 0; --i) options.near.push_back(options.isovalue + i * input.between(1, 9) / 4.0);
   std::vector<float> samples;

@@ -37,6 +37,7 @@ EncodeOptions turnOf(int number) {
   EncodeOptions options;
   options.polygonizer = static_cast<Polygonizer>(number % 2);
   options.lossless = number % 3 == 0;
+  options.effort = 1 + number / 2 % 2;
   return options;
 }
 

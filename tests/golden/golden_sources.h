@@ -74,6 +74,9 @@ inline std::vector<GoldenSource> goldenSources() {
   options = golden::withBound(0.2);
   options.preserveTopology = true;
   sources.push_back(golden::of(golden::knotField("topology"), options));
+  options = {};
+  options.effort = 2;
+  sources.push_back(golden::of(sampled("fitted", {24, 20, 22}, gyroid(17)), options));
   sources.push_back(golden::image("image"));
   sources.push_back(golden::sequence("sequence"));
   sources.push_back(golden::of(sampled("empty", {9, 9, 9}, [](double, double, double) { return -1.0; }), {}));

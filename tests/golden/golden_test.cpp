@@ -33,7 +33,7 @@ TEST(Golden, streamsDecodeToTheSurfacesOfTheTable) {
 TEST(Golden, eachPartOfTheFormatHasAStream) {
   const auto table = goldenTable(kFolder + "/" + kGoldenTable);
   std::set<int> dimensions;
-  bool lossless = false, tetrahedra = false, adaptive = false, topology = false, near = false, placed = false, trimmed = false;
+  bool lossless = false, tetrahedra = false, adaptive = false, topology = false, near = false, placed = false, trimmed = false, fitted = false;
   for (const GoldenSurface& row : table) {
     const auto bytes = goldenBytes(pathOf(row.stream));
     EXPECT_LE(bytes.size(), 3000u) << row.stream;
@@ -47,10 +47,11 @@ TEST(Golden, eachPartOfTheFormatHasAStream) {
     near = near || info.isovalues.size() > 1;
     EXPECT_EQ(info.version, static_cast<int>(bytes[3]) >> 2 & 31) << row.stream;
     trimmed = trimmed || info.trimmed;
+    fitted = fitted || info.effort == 2;
     placed = placed || info.placement.direction != Placement().direction;
   }
   EXPECT_EQ(dimensions, (std::set{2, 3, 4}));
-  EXPECT_TRUE(lossless && tetrahedra && adaptive && topology && near && placed && trimmed);
+  EXPECT_TRUE(lossless && tetrahedra && adaptive && topology && near && placed && trimmed && fitted);
 }
 
 /// No error: an encoder may become better. But nobody should change what it writes without knowing.

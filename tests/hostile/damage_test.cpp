@@ -63,6 +63,16 @@ TEST(Damage, furtherIsovaluesAreHarmlessToo) {
   expectHarmlessFlips(smallFields()[1], options);
 }
 
+TEST(Damage, fittedScalarsAreHarmlessToo) {
+  EncodeOptions options;
+  options.maxError = 0.02;
+  options.effort = 2;
+  expectHarmlessFlips(smallFields()[0], options);
+  options.polygonizer = Polygonizer::Tetrahedra;
+  options.lossless = true;
+  expectHarmlessFlips(smallFields()[1], options);
+}
+
 TEST(Damage, whereADomainEndsIsHarmlessToo) {
   const SampledField field = within(halfSpace({0.6, 0.48, 0.64}, 7.3), smallFields()[0]);
   EncodeOptions options;

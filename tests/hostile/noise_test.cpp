@@ -34,6 +34,13 @@ Header weldedOf(const Size& size) {
   return header;
 }
 
+/// Scalars by fits.
+Header fittedOf(const Size& size) {
+  Header header = headerOf(size);
+  header.fitted = true;
+  return header;
+}
+
 Header severalOf(const Size& size, bool whole = true) {
   Header header = headerOf(size);
   header.whole = whole;
@@ -111,7 +118,7 @@ Bytes adaptiveStreamOf(Header header, Payload payload) {
       Bytes bytes = fieldsOf<3>(pass);
       const Bytes told = payload([&](auto& ask) {
         if (kind == LayerKind::Octaves) field.tellOctaves(ask, pass.depth, header.polygonizer);
-        else field.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
+        else field.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective, header.fitted});
       });
       bytes.insert(bytes.end(), told.begin(), told.end());
       layers.push_back({{kind, level, 0.1, 0, 0}, bytes});
@@ -126,7 +133,7 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
       const double rate = std::array{0.5, 1.0, 0.03, 0.97}[seed / 2];
       const auto dice = [&](auto tell) { return thrown<3>(++seed * 100, rate, tell); };
-      for (const Bytes& bytes : {diceStream(weldedOf(size), seed, rate), adaptiveStreamOf(headerOf(size), dice)}) {
+      for (const Bytes& bytes : {diceStream(weldedOf(size), seed, rate), diceStream(fittedOf(size), seed, rate), adaptiveStreamOf(fittedOf(size), dice)}) {
         const Decoder decoder = harmlesslyDecoded(bytes);
         EXPECT_EQ(decoder.error(), Error::None);
         for (const Polygonizer polygonizer : kPolygonizers) expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
@@ -137,6 +144,7 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
     for (std::size_t length : {0u, 20u, 1000u}) {
       uint64_t seed = length;
       (void)harmlesslyDecoded(noiseStream(weldedOf(size), length, seed));
+      (void)harmlesslyDecoded(noiseStream(fittedOf(size), length, seed));
       (void)harmlesslyDecoded(adaptiveStreamOf(headerOf(size), [&](auto) { return noiseOf(length, ++seed); }));
     }
   }

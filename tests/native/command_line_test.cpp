@@ -468,6 +468,13 @@ TEST_F(CommandLine, aBoundFinerThanTheDataSaysSo) {
   EXPECT_EQ(wordsAt("0.6").find("finer than the data"), std::string::npos);
 }
 
+TEST_F(CommandLine, streamsSayThatTheyTakeMoreEffort) {
+  ASSERT_EQ(run({"encode", ball(), "a.isostar", "--iso", "0", "--effort", "2"}).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(run({"info", "a.isostar", "--json"}).results)["effort"].get<int>(), 2);
+  EXPECT_NE(run({"info", "a.isostar"}).results.find("effort       2"), std::string::npos);
+  expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--effort", "3"});
+}
+
 TEST_F(CommandLine, streamsOfOneTopologySayThatTheyAre) {
   const Outcome outcome = run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology"});
   EXPECT_EQ(outcome.status, 0) << outcome.words;

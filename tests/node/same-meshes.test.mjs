@@ -19,6 +19,7 @@ const waves = (i, j, k) => Math.sin(i / 3) * Math.cos(j / 4) + Math.sin(j / 3) *
 
 const streams = {
   waves: encodeField('waves', [33, 20, 27], waves, '--spacing', '1,0.5,2'),
+  fitted: encodeField('fitted', [40, 37, 29], waves, '--effort', '2'),
   lossless: encodeField('lossless', [20, 17, 9], waves, '--lossless', '--polygonizer', 'tetrahedra'),
   whole: encodeField('whole', [24, 24, 24], (i, j, k) => Math.round(1000 * waves(i, j, k)), '--max-error', '0.01'),
   adaptive: encodeField('adaptive', [40, 33, 36], (i, j, k) => 13 - Math.hypot(i - 19, j - 16, k - 17), '--max-error', '0.2', '--adaptive'),

@@ -31,6 +31,8 @@ export interface StreamInfo {
   readonly isovalues: readonly number[];
   readonly polygonizer: Polygonizer;
   readonly lossless: boolean;
+  /** As the encoder's `--effort`: 2 takes longer to decode. */
+  readonly effort: number;
   readonly maxError: number;
   /** Of the complete surface that `cubes` makes. */
   readonly vertices: number;

@@ -82,6 +82,10 @@ struct EncodeOptions {
   Polygonizer polygonizer = Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
   bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences, lossless or near
   bool preserveTopology = false;  // every surface along the stream has the finest one's (§4.3); volumes only; not combined with `adaptive`, which then makes no difference
+  /// 1: what decodes at once; 2: scalars are predicted by least squares from all around (§6), which makes smooth surfaces'
+  /// streams smaller by up to a quarter, and takes encoder and decoder longer.
+  int effort = 1;
+  static constexpr int kMostEffort = 2;
   std::function<void(double done)> progress;     // called now and then with 0 … 1
 };
 
@@ -142,6 +146,7 @@ struct StreamInfo {
   bool lossless = false;
   bool adaptive = false;    // the mesh is coarser where that keeps the bound (§4.3)
   bool preservesTopology = false;  // every layer's surface has the topology of the last one's (§4.3)
+  int effort = 1;           // as in EncodeOptions: 2 takes longer to decode
   bool trimmed = false;     // the surface ends at the boundary of a domain inside the box (§2)
   double maxError = 0;      // the bound that was asked for; 0 for lossless
   uint64_t vertices = 0;    // of the complete surface that `cubes` makes, before it is trimmed

@@ -1,0 +1,127 @@
+// A fit finds linear fields exactly, bent ones nearly, and never goes beyond its numbers.
+#include "local_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace isostar {
+namespace {
+
+constexpr int kGradient = 4 * 12;  // 2^12 quanta a step
+
+template <int D>
+using Offset = std::array<int, D>;
+
+/// Calls visit(offset from the brick's middle, the window's value there) for all of a window.
+template <int D, class Visit>
+void forEachOf(ScalarWindow<D>& window, Visit visit) {
+  for (std::size_t i = 0; i < window.value.size(); ++i) {
+    Offset<D> offset;
+    std::size_t digits = i;
+    for (int a = 0; a < D; ++a, digits /= kBrickSide + 2) offset[static_cast<std::size_t>(a)] = static_cast<int>(digits % (kBrickSide + 2)) - 1 - kBrickSide / 2;
+    visit(offset, window.value[i]);
+  }
+}
+
+/// Scalars of a field known to 2^log2Width quanta, as half quanta.
+template <int D, class Field>
+ScalarWindow<D> sampledWindow(Field field, int log2Width) {
+  ScalarWindow<D> window;
+  forEachOf<D>(window, [&](const Offset<D>& offset, int32_t& value) {
+    const auto whole = static_cast<int64_t>(std::floor(std::abs(field(offset))));
+    const auto middle = static_cast<int32_t>(2 * (whole >> log2Width << log2Width) + (int64_t{1} << log2Width));
+    value = field(offset) > 0 ? middle : -middle;
+  });
+  return window;
+}
+
+template <int D>
+LocalFit<D> fitAtMiddle(const ScalarWindow<D>& scalars, bool positive) {
+  FitWindow<D> window;
+  window.load(scalars, kGradient);
+  std::size_t r = 0;
+  for (int a = D - 1; a >= 1; --a) r = r * kBrickSide + kBrickSide / 2;
+  return LocalFit<D>::of(window, r, kBrickSide / 2, positive);
+}
+
+/// Scaled, a step's gradient is 2^14: in steps.
+double steps(int32_t magnitude) { return magnitude / 16384.0; }
+
+template <int D>
+void expectLinearFieldsFound() {
+  std::mt19937 random(D);
+  std::uniform_real_distribution<double> slope(-4096, 4096), level(500, 4000);
+  for (int n = 0; n < 50; ++n) {
+    std::array<double, D> gradient;
+    for (double& g : gradient) g = slope(random);
+    const double here = level(random);
+    const auto linear = [&](const Offset<D>& offset) {
+      double value = here;
+      for (std::size_t a = 0; a < D; ++a) value += gradient[a] * offset[a];
+      return value;
+    };
+    const auto fit = fitAtMiddle<D>(sampledWindow<D>(linear, 2), true);
+    EXPECT_EQ(fit.known, 2 * D * D);
+    EXPECT_NEAR(steps(fit.level), here / 4096, 0.01);
+    EXPECT_NEAR(steps(fit.bent), here / 4096, 0.01);
+  }
+}
+
+TEST(LocalFit, findsLinearFields) {
+  expectLinearFieldsFound<2>();
+  expectLinearFieldsFound<3>();
+  expectLinearFieldsFound<4>();
+}
+
+TEST(LocalFit, seesWhatIsMissingOnOneSide) {
+  const auto linear = [](const Offset<3>& offset) { return 1500.0 + 3000 * offset[0] - 2000 * offset[2]; };
+  auto scalars = sampledWindow<3>(linear, 2);
+  forEachOf<3>(scalars, [](const Offset<3>& offset, int32_t& value) {
+    if (offset[0] > 0 || (offset[1] > 0 && offset[2] > 0)) value = Scalars<3>::kUnknown;
+  });
+  const auto fit = fitAtMiddle<3>(scalars, true);
+  EXPECT_LT(fit.known, 18);
+  EXPECT_NEAR(steps(fit.level), 1500.0 / 4096, 0.01);
+}
+
+TEST(LocalFit, followsWhatIsBent) {
+  const auto ball = [](const Offset<3>& offset) { return 4096 * (12.3 - std::hypot(offset[0] + 7, offset[1] + 5, offset[2] + 8.5)); };
+  const double here = 12.3 - std::hypot(7, 5, 8.5);
+  const auto fit = fitAtMiddle<3>(sampledWindow<3>(ball, 4), here > 0);
+  EXPECT_GT(std::abs(steps(fit.level) - std::abs(here)), 0.02);
+  EXPECT_NEAR(steps(fit.bent), std::abs(here), 0.01);
+}
+
+TEST(LocalFit, needsEnoughNeighbours) {
+  ScalarWindow<3> scalars;
+  scalars.value.fill(Scalars<3>::kUnknown);
+  EXPECT_EQ(fitAtMiddle<3>(scalars, true).known, 0);
+}
+
+TEST(LocalFit, staysWithinItsNumbers) {
+  std::mt19937 random(7);
+  for (int n = 0; n < 200; ++n) {
+    ScalarWindow<3> scalars;
+    for (int32_t& value : scalars.value) {
+      const auto bits = static_cast<int32_t>(random());
+      value = n % 3 == 0 ? bits : n % 3 == 1 ? (bits % 2 != 0 ? INT32_MAX : -INT32_MAX) : bits % 4 == 0 ? bits : Scalars<3>::kUnknown;
+      if (value == 0) value = 1;
+    }
+    for (const int gradient : {0, 3, 40, 4 * 31}) {
+      FitWindow<3> window;
+      window.load(scalars, gradient);
+      for (std::size_t r = 0; r < 64; ++r) {
+        for (int x = 0; x < kBrickSide; ++x) {
+          const auto fit = LocalFit<3>::of(window, r, x, n % 2 == 0);
+          ASSERT_TRUE(fit.level >= 0 && fit.level <= 2 * FitWindow<3>::kMost && fit.bent >= 0 && fit.bent <= 2 * FitWindow<3>::kMost);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isostar
