@@ -25,12 +25,12 @@ const { values: options } = parseArgs({
     figure6: { type: 'boolean' },  // instead: the paper's figure 6, of the horse and five scans
     paper: { type: 'boolean' },  // instead: what the paper promises beyond uniform streams
     quick: { type: 'boolean' },  // fewer points and rounds
-    effort: { type: 'string' },  // of isostar's encoder
+    effort: { type: 'string' },  // of isostar's encoder; results go to a folder of their own
     only: { type: 'string' },  // surfaces whose name contains this
     build: { type: 'string', default: fileURLToPath(new URL('../build', import.meta.url)) },
   },
 });
-const out = fileURLToPath(new URL('out', import.meta.url));
+const out = fileURLToPath(new URL(options.effort ? `out/effort-${options.effort}` : 'out', import.meta.url));
 const build = resolve(options.build);
 const program = join(build, 'isostar_bench');
 
@@ -82,7 +82,8 @@ async function compare(inputs) {
 }
 
 const inputs = (options.data ? inputsOf(options.data) : defaultInputs(join(build, 'scans')))
-  .filter(({ name }) => name.includes(options.only ?? ''));
+  .filter(({ name }) => name.includes(options.only ?? ''))
+  .map((input) => ({ ...input, effort: options.effort }));
 mkdirSync(out, { recursive: true });
 if (options.figure6) await figure6((input) => native.figure6(program, input, options), AT_ONCE, figure6Inputs(inputs), out);
 else if (options.paper) await paper(build, inputs, options, AT_ONCE, out);

@@ -9,7 +9,7 @@ nlohmann::ordered_json closeBy(const Subject& subject, double other) {
   return {{"isovalue", subject.isovalue},
           {"other", other},
           {"bytes", encodeIsostar(subject, bound).size()},
-          {"otherBytes", encodeIsostar({subject.volume, other, {}}, bound).size()},
+          {"otherBytes", encodeIsostar({subject.volume, other, subject.effort, {}}, bound).size()},
           {"together", encodeIsostarWith(subject, other, bound).size()}};
 }
 
