@@ -7,6 +7,7 @@
 #include "octave.h"
 #include "prediction.h"
 #include "seldom.h"
+#include "smoothing.h"
 #include "tube.h"
 
 namespace isostar {
@@ -58,14 +59,15 @@ ISOSTAR_SELDOM void estimateMissing(const Signs<D>& signs, const std::vector<uin
   if (polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
 }
 
-/// All scalars that a polygonizer needs, those that are not known being estimated.
+/// All scalars that a polygonizer needs, those that are not known being estimated, and those that are known smoothed if asked for.
 template <int D>
 struct Completed {
   Scalars<D> scalars;
   int finer;  // values count 2^-finer half quanta
 
-  Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints)
+  Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints, bool smooth)
       : scalars(known), finer(scalars.magnify()) {
+    if (smooth) Smoothing<D>::apply(signs.table(), known, finer, scalars);
     estimateMissing(signs, active, polygonizer, finer, scalars, hints);
   }
 };

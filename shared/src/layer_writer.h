@@ -119,6 +119,11 @@ class LayerWriter {
     const SourceDistance<D>& distance = source_->distance();
     if (known_.partial) return distance.rms(known_.partial->shown(octaves_)->signs, {known_.partial->kernel});
     if (known_.level < octaves_) return distance.rms(known_.signs, known_.hints());
+    if (number_ == 0 && !known_.halved && known_.scalars.places() != 0) {
+      Scalars<D> shown = known_.scalars;
+      Smoothing<D>::apply(known_.signs.table(), known_.scalars, 0, shown);
+      return distance.rms(known_.signs, shown, known_.hints());
+    }
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());
     const NearSurface<D>& last = known_.near.surfaces().back();
     if (last.told[0]) return distance.rms(last.signs, last.scalars);

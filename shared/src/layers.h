@@ -113,6 +113,7 @@ struct Knowledge {
       octaves.tell(ask, signs, scalars, pass.members, pass.depth, active, hints());
     } else {
       halvings.tell(ask, signs, scalars, {pass.members, pass.allowed, pass.most, pass.selective, header.fitted}, active);
+      halved = halved || !ask.spent();
     }
   }
 
@@ -171,6 +172,7 @@ struct Knowledge {
   Displacements<D> displacements;  // of the octave that is known
   Scalars<D> scalars;
   Scalars<D> domain;  // of a trimmed stream: see DomainCoder
+  bool halved = false;          // has a pass that halves intervals been told?
   std::array<bool, 2> told{};  // by Members: have their scalars been told, if perhaps not all of them?
   DisplacementCoder<D> displacing;
   OctavesCoder<D> octaves;

@@ -147,6 +147,7 @@ class ReconstructionIn : public Reconstruction {
     const Scalars<D>& scalars;
     const std::array<bool, 2>& told;
     Hints<D> hints;
+    bool smooth = false;  // is only the octave of most magnitudes known?
   };
 
   /// Calls make(surface, bytes held) with the surface of the isovalue that is asked for: as it was told, or between those that were.
@@ -159,7 +160,7 @@ class ReconstructionIn : public Reconstruction {
     }
     if (known_.partial) return withPartial(held, make);
     if (known_.scalars.places() == 0) return withEstimated(options, held, make);
-    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told, known_.hints()}, header_, options, held, make);
+    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told, known_.hints(), !known_.halved}, header_, options, held, make);
     return withBetween(isovalue, options, held, make);
   }
 
@@ -200,12 +201,12 @@ class ReconstructionIn : public Reconstruction {
   template <class Make>
   Error withCompleted(const Known& known, const Header& header, const MeshOptions& options, uint64_t held, Make make) const {
     const double positive = 2 * header.positiveOffset - 1, negative = 2 * header.negativeOffset - 1;
-    if (!torn_ && known.told[0] && (known.told[1] || options.polygonizer == Polygonizer::Cubes)) {
+    if (!torn_ && !known.smooth && known.told[0] && (known.told[1] || options.polygonizer == Polygonizer::Cubes)) {
       return make(Surface<D>{known.signs, known.scalars, positive, negative, header_.placement, domain()}, held);
     }
     const uint64_t completed = memoryCompleted(known.scalars, known.active);
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    const Completed<D> full(known.signs, known.active, known.scalars, options.polygonizer, known.hints);
+    const Completed<D> full(known.signs, known.active, known.scalars, options.polygonizer, known.hints, known.smooth);
     const double scale = 1 << full.finer;
     return make(Surface<D>{known.signs, full.scalars, positive * scale, negative * scale, header_.placement, domain()}, held + completed);
   }

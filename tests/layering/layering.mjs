@@ -13,7 +13,7 @@ const PARTS = {
   coder: ['range_coder.h', 'models.h'],
   hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'row_packs.h', 'neighbourhood.h', 'fresh_rows.h', 'shape_estimate.h', 'tube.h', 'vertex_front.h'],
   rbmt: ['diamond.h', 'tagged_simplex.h', 'rbmt.h', 'leaves.h', 'decomposition.h', 'linear_function.h', 'criteria.h', 'topology.h', 'adjacency.h', 'leaf_set.h'],
-  scalars: ['reciprocal.h', 'pool.h', 'scalars.h', 'halo_window.h', 'scalar_window.h', 'fit_window.h', 'local_fit.h', 'intervals.h', 'far_ends.h', 'interpolation.h', 'prediction.h', 'displacements.h', 'displacement_window.h', 'hints.h', 'completion.h'],
+  scalars: ['reciprocal.h', 'pool.h', 'scalars.h', 'halo_window.h', 'scalar_window.h', 'fit_window.h', 'local_fit.h', 'intervals.h', 'far_ends.h', 'interpolation.h', 'prediction.h', 'displacements.h', 'displacement_window.h', 'hints.h', 'smoothing.h', 'completion.h'],
   exchange: ['exchange.h'],
   singleRate: ['seed_coder.h', 'mesh_exchange.h', 'gate_traversal.h'],
   traversal: [

@@ -1,0 +1,76 @@
+// Smoothing brings scalars of smooth fields nearer to the truth, within their intervals, and leaves rough ones alone.
+#include "smoothing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace isostar {
+namespace {
+
+constexpr int kGradient = 4 * 10, kWidth = 8;  // 2^10 quanta a step, known to a quarter of it
+
+/// A brick's scalars within a step and a half of the surface, known to 2^kWidth quanta.
+template <class Field>
+Scalars<3> toldOf(const BrickTable<3>& table, Field field) {
+  Scalars<3> told(table.total());
+  auto& brick = told.writable(0);
+  told.setGradient(0, kGradient);
+  for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
+    const double value = field(vertexOf<3>({}, v)) * 1024;
+    if (std::abs(value) > 1536) continue;
+    const auto low = static_cast<uint32_t>(std::abs(value)) >> kWidth << kWidth;
+    brick.set(v, value > 0, low, kWidth);
+    brick.members[0].words[v / 64] |= uint64_t{1} << v % 64;
+  }
+  return told;
+}
+
+template <class Field>
+double rmsError(const Scalars<3>& scalars, int finer, Field field) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
+    if (!scalars.at(0).knows(v)) continue;
+    const double error = std::ldexp(scalars.at(0).value[v], -finer - 1) / 1024 - field(vertexOf<3>({}, v));
+    sum += error * error, ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+double ball(const Coordinates<3>& v) { return 9.4 - std::hypot(v[0] + 3.1, v[1] + 1.7, v[2] + 2.2); }
+
+TEST(Smoothing, bringsSmoothFieldsNearer) {
+  const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
+  const Scalars<3> told = toldOf(table, ball);
+  for (const int finer : {0, 4}) {
+    Scalars<3> shown = told;
+    for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
+      if (shown.at(0).knows(v)) shown.writable(0).value[v] *= 1 << finer;
+    }
+    const double before = rmsError(shown, finer, ball);
+    Smoothing<3>::apply(table, told, finer, shown);
+    EXPECT_LT(rmsError(shown, finer, ball), 0.6 * before);
+    for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
+      ASSERT_EQ(shown.at(0).knows(v), told.at(0).knows(v));
+      if (!told.at(0).knows(v)) continue;
+      EXPECT_EQ(shown.at(0).value[v] > 0, told.at(0).value[v] > 0);
+      EXPECT_LT(std::abs(std::ldexp(shown.at(0).value[v], -finer) - told.at(0).value[v]), 1 << kWidth);
+    }
+  }
+}
+
+TEST(Smoothing, leavesRoughFieldsAlone) {
+  const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
+  std::mt19937 random(3);
+  std::vector<double> noise(Scalars<3>::kVertices);
+  for (double& n : noise) n = std::uniform_real_distribution<double>(-1.4, 1.4)(random);
+  const Scalars<3> told = toldOf(table, [&](const Coordinates<3>& v) { return noise[numberOf<3>(v)]; });
+  Scalars<3> shown = told;
+  Smoothing<3>::apply(table, told, 0, shown);
+  EXPECT_EQ(shown.at(0).value, told.at(0).value);
+}
+
+}  // namespace
+}  // namespace isostar
