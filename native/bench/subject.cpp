@@ -14,19 +14,18 @@ constexpr std::string_view kSynthetic = "synthetic:";
 Subject readField(const SubjectRequest& request) {
   const std::string& path = request.path;
   if (!path.starts_with(kSynthetic)) {
-    Subject subject{native::readVolume({.path = path}), 0, 1, {}};
+    Subject subject{native::readVolume({.path = path}), 0, request.effort, {}};
     subject.isovalue = request.isovalue ? *request.isovalue : otsuThreshold(subject.volume.samples);
     return subject;
   }
   SyntheticField field = syntheticField(path.substr(kSynthetic.size()));
-  return {std::move(field.volume), request.isovalue.value_or(field.isovalue), 1, {}};
+  return {std::move(field.volume), request.isovalue.value_or(field.isovalue), request.effort, {}};
 }
 
 }  // namespace
 
 Subject readSubject(const SubjectRequest& request) {
   Subject subject = readField(request);
-  subject.effort = request.effort;
   subject.mesh = marchingCubes(subject.volume, subject.isovalue);
   return subject;
 }

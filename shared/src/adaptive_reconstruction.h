@@ -73,7 +73,7 @@ class AdaptiveReconstruction : public Reconstruction {
     } else if (kind == LayerKind::Octaves) {
       field_.tellOctaves(ask, pass.depth, header_.polygonizer);
     } else {
-      field_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective, header_.fitted});
+      field_.tellHalvings(ask, pass.halving(header_.fitted));
     }
   }
 

@@ -41,7 +41,7 @@ class AdaptiveWriter {
         const double part = distance / (edgeLength(header_.placement, axes) * decoded_.octave(level).signs.lattice().step);
         pass.allowed[axes] = static_cast<uint32_t>(std::clamp(65536 * part, 1.0, 65536.0));
       }
-      tell({LayerKind::Halving, level, 0, 0, 0}, truth, [&](auto& ask) { decoded_.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective, header_.fitted}); }, &pass);
+      tell({LayerKind::Halving, level, 0, 0, 0}, truth, [&](auto& ask) { decoded_.tellHalvings(ask, pass.halving(header_.fitted)); }, &pass);
     }
   }
 

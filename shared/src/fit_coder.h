@@ -3,6 +3,7 @@
 
 #include "exchange.h"
 #include "local_fit.h"
+#include "seldom.h"
 
 namespace isostar {
 

@@ -8,9 +8,9 @@ namespace isostar {
 /// The two opposite neighbours in a direction: along an axis, or across two.
 template <int D>
 struct Direction {
-  int first, second = -1;  // axes; the second is -1 along the first
-  int side = 0;            // of the second, ±1
-  int offset;              // in a window
+  int first, second;  // axes; the second is -1 along the first
+  int side;           // of the second, ±1; 0 along the first
+  int offset;         // in a window
 
   static constexpr std::size_t kCount = std::size_t{D} * D;
   static constexpr std::array<Direction, kCount> all() {
@@ -26,10 +26,11 @@ struct Direction {
   }
 };
 
+/// Values are scaled so that the brick's gradient is 2^kFine.
 template <int D>
 class FitWindow {
  public:
-  static constexpr int kFine = 14;           // a brick's gradient is 2^14
+  static constexpr int kFine = 14;
   static constexpr int32_t kMost = 1 << 18;  // sizes beyond 16 gradients count as that
   using Bends = std::array<int32_t, Direction<D>::kCount>;
 
@@ -42,17 +43,18 @@ class FitWindow {
       const int log2 = octave_ - 8 + static_cast<int>(i);
       finer_[i] = log2 < 0 ? 0 : int32_t{1} << std::min(log2, 30);
     }
-    if (up_ < 0) {
-      for (std::size_t i = 0; i < value_.size(); ++i) value_[i] = std::clamp(scalars.value[i], -most_, most_) >> -up_;
-    } else {
-      for (std::size_t i = 0; i < value_.size(); ++i) value_[i] = std::clamp(scalars.value[i], -most_, most_) << up_;
-    }
+    // One after the other, so that the compiler takes several at a time.
+    for (std::size_t i = 0; i < value_.size(); ++i) value_[i] = scaled(scalars.value[i]);
     for (std::size_t i = 0; i < weight_.size(); ++i) weight_[i] = weightOf(scalars.value[i]);
     findBends();
   }
 
   /// Takes over what has been told of vertex x in row r.
-  void tell(std::size_t r, int x, int32_t scalar) { set(static_cast<std::size_t>(ScalarWindow<D>::index(r, x)), scalar); }
+  void tell(std::size_t r, int x, int32_t scalar) {
+    const auto at = static_cast<std::size_t>(ScalarWindow<D>::index(r, x));
+    value_[at] = scaled(scalar);
+    weight_[at] = weightOf(scalar);
+  }
 
   /// log2 of how much larger a number is here than in half quanta; may be negative.
   [[nodiscard]] int up() const { return up_; }
@@ -83,11 +85,6 @@ class FitWindow {
     int32_t weight = 127;
     for (std::size_t i = 0; i < kLess.size(); ++i) weight -= width > finer_[i] ? kLess[i] : 0;
     return static_cast<uint8_t>(width < 0 ? 0 : weight);
-  }
-
-  void set(std::size_t at, int32_t scalar) {
-    value_[at] = scalar == Scalars<D>::kUnknown ? 0 : scaled(scalar);
-    weight_[at] = weightOf(scalar);
   }
 
   void findBends() {

@@ -21,6 +21,9 @@ struct GeometryPass {
   bool selective = false;  // Halving: only in bricks that are told
   DisplacementPass displacement{};   // Displacement
 
+  /// As HalvingCoder takes it; `fitted` holds for a whole stream.
+  [[nodiscard]] typename HalvingCoder<D>::Pass halving(bool fitted) const { return {members, allowed, most, selective, fitted}; }
+
   void write(ByteWriter& out) const {
     if (kind == LayerKind::Displacement) {
       out.u8(static_cast<uint64_t>(displacement.log2Side) | static_cast<uint64_t>(displacement.step) << 2);

@@ -34,6 +34,12 @@ struct Lattice {
   }
   /// Does the plane first appear on this octave?
   [[nodiscard]] bool fresh(int axis, int32_t plane) const { return (plane & 1) != 0 && plane != last[axis]; }
+  /// The axes on which a vertex is fresh, as a set of bits.
+  [[nodiscard]] unsigned freshAxes(const Coordinates<D>& v) const {
+    unsigned axes = 0;
+    for (int a = 0; a < D; ++a) axes |= fresh(a, v[a]) ? 1u << a : 0u;
+    return axes;
+  }
   /// The coarser octave's plane that coincides with this one or, for a fresh one, precedes it.
   [[nodiscard]] int32_t parent(int axis, int32_t plane) const {
     return plane == last[axis] ? (plane + 1) / 2 : plane / 2;
@@ -49,8 +55,9 @@ struct Lattice {
   }
   /// Where a vertex is on the finer octave.
   [[nodiscard]] Coordinates<D> onFiner(const Coordinates<D>& v) const {
+    const Coordinates<D> end = finer().last;
     Coordinates<D> same;
-    for (int a = 0; a < D; ++a) same[a] = v[a] == last[a] ? finer().last[a] : 2 * v[a];
+    for (int a = 0; a < D; ++a) same[a] = v[a] == last[a] ? end[a] : 2 * v[a];
     return same;
   }
   /// Mirrors a plane next to the box into it: two-sided neighbourhoods need no edge cases.

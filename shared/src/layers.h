@@ -112,7 +112,7 @@ struct Knowledge {
       told[static_cast<std::size_t>(pass.members)] = true;
       octaves.tell(ask, signs, scalars, pass.members, pass.depth, active, hints());
     } else {
-      halvings.tell(ask, signs, scalars, {pass.members, pass.allowed, pass.most, pass.selective, header.fitted}, active);
+      halvings.tell(ask, signs, scalars, pass.halving(header.fitted), active);
       halved = halved || !ask.spent();
     }
   }
@@ -128,7 +128,7 @@ struct Knowledge {
   template <class Exchange>
   void nearGeometry(Exchange& ask, const GeometryPass<D>& pass) {
     if (pass.kind == LayerKind::Octaves) near.octaves(ask, pass.members, pass.depth);
-    else near.halvings(ask, {pass.members, pass.allowed, pass.most, pass.selective});
+    else near.halvings(ask, pass.halving(false));
   }
 
   /// Of the octave that is known, of the first isovalue.

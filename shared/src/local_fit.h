@@ -1,7 +1,9 @@
 // A scalar by least squares from those around it: the prediction of the passes that halve intervals (§5.3).
 #pragma once
 
+#include <bit>
 #include <optional>
+#include <utility>
 
 #include "fit_window.h"
 
@@ -36,28 +38,24 @@ struct LocalFit {
       const int32_t* values = window.values(r, x);
       const uint8_t* weights = window.weights(r, x);
       const auto& bend = window.bends(r, x);
-      std::size_t d = 0;
-      for (int a = 0; a < D; ++a) {
-        const int offset = ScalarWindow<D>::stride(a);
-        addPair(a + 1, 0, 0, weights[offset], weights[-offset], values[offset], values[-offset], bend[d++]);
-      }
-      for (int a = 0; a < D; ++a) {
-        for (int b = a + 1; b < D; ++b) {
-          for (const int side : {1, -1}) {
-            const int offset = ScalarWindow<D>::stride(a) + side * ScalarWindow<D>::stride(b);
-            addPair(a + 1, b + 1, side, quarter(weights[offset]), quarter(weights[-offset]), values[offset], values[-offset], bend[d++]);
-          }
-        }
-      }
+      [&]<std::size_t... N>(std::index_sequence<N...>) {
+        (addPair<N>(weights, values, bend[N]), ...);
+      }(std::make_index_sequence<Direction<D>::kCount>());
     }
 
     /// Neighbours across are twice as far away, and count for a quarter, but not for nothing.
     static int32_t quarter(int32_t weight) { return (weight + 3) >> 2; }
 
-    void addPair(int a, int b, int side, int32_t after, int32_t before, int32_t valueAfter, int32_t valueBefore, int32_t bend) {
+    /// The neighbours in one direction, a constant as the innermost loop's.
+    template <std::size_t N>
+    void addPair(const uint8_t* weights, const int32_t* values, int32_t bend) {
+      constexpr Direction<D> kDirection = Direction<D>::all()[N];
+      constexpr int kOffset = kDirection.offset, kSecond = kDirection.second + 1;
+      const auto weight = [](int32_t beside) { return kSecond == 0 ? beside : quarter(beside); };
+      const int32_t after = weight(weights[kOffset]), before = weight(weights[-kOffset]);
       known += (after != 0 ? 1 : 0) + (before != 0 ? 1 : 0);
       const int32_t sum = after + before, difference = after - before;
-      const int32_t toldAfter = after * valueAfter, toldBefore = before * valueBefore;
+      const int32_t toldAfter = after * values[kOffset], toldBefore = before * values[-kOffset];
       const auto line = [&](int unknown, int sign) {
         matrix[unknown][0] += sign * difference;
         matrix[unknown][unknown] += sum;
@@ -67,10 +65,11 @@ struct LocalFit {
       matrix[0][0] += sum;
       told[0] += toldAfter + toldBefore;
       bends[0] += sum * bend;
-      line(a, 1);
-      if (b == 0) return;
-      line(b, side);
-      matrix[b][a] += side * sum;
+      line(kDirection.first + 1, 1);
+      if constexpr (kSecond != 0) {
+        line(kSecond, kDirection.side);
+        matrix[kSecond][kDirection.first + 1] += kDirection.side * sum;
+      }
     }
 
     /// The value here as told, and with bends taken off; nothing where the neighbours do not determine it. By elimination, in 1/256.

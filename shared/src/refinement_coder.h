@@ -144,8 +144,7 @@ class RefinementCoder {
       high[a] = std::min(low[a] + kBrickSide - 1, lattice.last[a]);
     }
     forEachBetween<D>(low, high, [&](const Coordinates<D>& v) {
-      std::size_t dimension = 0;
-      for (int a = 0; a < D; ++a) dimension += lattice.fresh(a, v[a]) ? 1 : 0;
+      const auto dimension = static_cast<std::size_t>(std::popcount(lattice.freshAxes(v)));
       if (dimension != 0) visit(v, dimension);
     });
   }

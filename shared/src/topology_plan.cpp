@@ -20,13 +20,6 @@ void forEachAround(const Lattice<D>& lattice, const Coordinates<D>& v, Visit vis
   forEachBetween<D>(low, high, visit);
 }
 
-template <int D>
-unsigned freshAxes(const Lattice<D>& lattice, const Coordinates<D>& v) {
-  unsigned axes = 0;
-  for (int a = 0; a < D; ++a) axes |= lattice.fresh(a, v[a]) ? 1u << a : 0u;
-  return axes;
-}
-
 /// Does a vertex lie in or beside a cell that is too short to be halved?
 template <int D>
 bool besideShortEnd(const Lattice<D>& lattice, const Coordinates<D>& v) {
@@ -62,7 +55,7 @@ TopologyPlan<D>::TopologyPlan(const std::vector<Signs<D>>& truth) : truth_(truth
     for (std::size_t place = 0; place < active.size(); ++place) {
       if (active[place] == 0) continue;
       forEachInBrick(signs, place, [&](const Coordinates<D>& v) {
-        if (freshAxes<D>(signs.lattice(), v) != 0 && !keepsTopology(level, v)) changing_.back().set(v, true);
+        if (signs.lattice().freshAxes(v) != 0 && !keepsTopology(level, v)) changing_.back().set(v, true);
       });
     }
   }
@@ -108,7 +101,7 @@ Signs<D> TopologyPlan<D>::wholeCells(int level, const Signs<D>& bad) const {
   for (std::size_t place = 0; place < active.size(); ++place) {
     if (active[place] == 0) continue;
     forEachInBrick(signs, place, [&](const Coordinates<D>& v) {
-      if (freshAxes<D>(lattice, v) != (1u << D) - 1) return;
+      if (lattice.freshAxes(v) != (1u << D) - 1) return;
       bool whole = true;
       forEachAround<D>(lattice, v, [&](const Coordinates<D>& w) { whole = whole && !bad.at(w); });
       if (whole) centres.set(v, true);

@@ -118,7 +118,7 @@ Bytes adaptiveStreamOf(Header header, Payload payload) {
       Bytes bytes = fieldsOf<3>(pass);
       const Bytes told = payload([&](auto& ask) {
         if (kind == LayerKind::Octaves) field.tellOctaves(ask, pass.depth, header.polygonizer);
-        else field.tellHalvings(ask, {pass.members, pass.allowed, pass.most, pass.selective, header.fitted});
+        else field.tellHalvings(ask, pass.halving(header.fitted));
       });
       bytes.insert(bytes.end(), told.begin(), told.end());
       layers.push_back({{kind, level, 0.1, 0, 0}, bytes});

@@ -19,13 +19,6 @@ std::vector<Coordinates<D>> boxes() {
   if constexpr (D == 4) return {{2, 3, 4, 5}, {9, 4, 3, 2}};
 }
 
-template <int D>
-unsigned freshAxes(const Lattice<D>& lattice, const Coordinates<D>& v) {
-  unsigned fresh = 0;
-  for (int a = 0; a < D; ++a) fresh |= lattice.fresh(a, v[a]) ? 1u << a : 0u;
-  return fresh;
-}
-
 /// How many of a diamond's vertices are positive, and how many there are, by the definition.
 template <int D>
 std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v, unsigned fresh) {
@@ -75,13 +68,13 @@ TYPED_TEST(FreshRowsTest, areOpenAndAbsentAsTheirDiamondsSay) {
     const Lattice<D> lattice(box, 1);
     const DenseSigns<D> gone(lattice, [](const Coordinates<D>& v) { return scrambled<D>(v, 9) % 30 == 0; });
     uint64_t expected = 0;
-    forVertices(lattice, [&](const Coordinates<D>& v) { expected += freshAxes<D>(lattice, v) != 0 ? 1 : 0; });
+    forVertices(lattice, [&](const Coordinates<D>& v) { expected += lattice.freshAxes(v) != 0 ? 1 : 0; });
     for (const auto& field : signFields<D>(box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(box));
       const DenseSigns<D> truth(lattice, field.positive);
       uint64_t seen = 0;
       forEachFreshMember(truth.bricks(), gone.bricks(), [&](const Coordinates<D>& v, const auto& row, int x) {
-        const unsigned fresh = freshAxes<D>(lattice, v);
+        const unsigned fresh = lattice.freshAxes(v);
         const auto [positives, all] = positivesOfDiamond<D>(truth, v, fresh);
         const bool absent = positivesOfDiamond<D>(gone, v, fresh).first != 0;
         EXPECT_EQ(fresh, row.fresh) << testing::PrintToString(v);
