@@ -108,8 +108,8 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
         for (int block = 0; block < Values::kSide; ++block, out += 2 * inner) {
           here += inner;
           for (std::size_t i = 0; i < inner; ++i) {
-            out[i] = kOwn * here[i] + here[i - inner];
-            out[inner + i] = kOwn * here[i] + here[inner + i];
+            out[i] = kOwn * here[i] + (here - inner)[i];
+            out[inner + i] = kOwn * here[i] + (here + inner)[i];
           }
         }
       }

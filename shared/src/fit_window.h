@@ -36,7 +36,7 @@ class FitWindow {
 
   /// Of a brick whose scalars are in the window, with the gradient that Scalars keep of it.
   void load(const ScalarWindow<D>& scalars, int gradient) {
-    octave_ = gradient / 4;
+    octave_ = std::min(gradient / 4, kMostOctave);  // beyond: none has been told, and nobody there is fitted
     up_ = kFine - octave_ - 1;  // scalars are half quanta
     most_ = up_ < 0 ? static_cast<int32_t>(std::min<int64_t>(int64_t{kMost} << -up_, INT32_MAX)) : kMost >> up_;
     for (std::size_t i = 0; i < finer_.size(); ++i) {
@@ -69,7 +69,7 @@ class FitWindow {
   [[nodiscard]] const Bends& bends(std::size_t r, int x) const { return bends_[blockOf(r, x)]; }
 
  private:
-  static constexpr int kHalfSide = kBrickSide / 2, kPrior = 6;
+  static constexpr int kHalfSide = kBrickSide / 2, kPrior = 6, kMostOctave = 31;
   static constexpr std::array<int32_t, 8> kLess{1, 3, 11, 28, 43, 27, 10, 3};  // the weight is less by that for each octave that an interval is wider
 
   /// Blocks are halves of a brick on each axis.
@@ -81,7 +81,7 @@ class FitWindow {
 
   /// 127 / (1 + (w/s)²), w being an interval's standard deviation and s, a 40th of a step, that of a field from a linear one.
   [[nodiscard]] uint8_t weightOf(int32_t scalar) const {
-    const int32_t width = scalar & -scalar;  // of the unknown, negative
+    const auto width = static_cast<int32_t>(static_cast<uint32_t>(scalar) & -static_cast<uint32_t>(scalar));  // of the unknown, negative
     int32_t weight = 127;
     for (std::size_t i = 0; i < kLess.size(); ++i) weight -= width > finer_[i] ? kLess[i] : 0;
     return static_cast<uint8_t>(width < 0 ? 0 : weight);

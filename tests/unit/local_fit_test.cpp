@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace isostar {
 namespace {
@@ -101,26 +103,49 @@ TEST(LocalFit, needsEnoughNeighbours) {
   EXPECT_EQ(fitAtMiddle<3>(scalars, true).known, 0);
 }
 
-TEST(LocalFit, staysWithinItsNumbers) {
-  std::mt19937 random(7);
-  for (int n = 0; n < 200; ++n) {
-    ScalarWindow<3> scalars;
-    for (int32_t& value : scalars.value) {
-      const auto bits = static_cast<int32_t>(random());
-      value = n % 3 == 0 ? bits : n % 3 == 1 ? (bits % 2 != 0 ? INT32_MAX : -INT32_MAX) : bits % 4 == 0 ? bits : Scalars<3>::kUnknown;
-      if (value == 0) value = 1;
-    }
-    for (const int gradient : {0, 3, 40, 4 * 31}) {
-      FitWindow<3> window;
-      window.load(scalars, gradient);
-      for (std::size_t r = 0; r < 64; ++r) {
-        for (int x = 0; x < kBrickSide; ++x) {
-          const auto fit = LocalFit<3>::of(window, r, x, n % 2 == 0);
-          ASSERT_TRUE(fit.level >= 0 && fit.level <= 2 * FitWindow<3>::kMost && fit.bent >= 0 && fit.bent <= 2 * FitWindow<3>::kMost);
+/// A scalar in half quanta; `sign` is 1 or -1.
+using Extreme = std::function<int32_t(std::mt19937& random, int sign)>;
+
+/// The largest numbers there are, of the narrowest and the widest intervals, and any bits.
+const std::vector<Extreme> kExtremes{
+    [](std::mt19937& random, int) { return std::max(static_cast<int32_t>(random()), -INT32_MAX) | 1; },
+    [](std::mt19937&, int sign) { return sign * INT32_MAX; },
+    [](std::mt19937&, int sign) { return sign * (1 << 29); },
+    [](std::mt19937& random, int sign) { return random() % 2 != 0 ? sign * (1 << 30) : sign; },
+    [](std::mt19937& random, int sign) { return random() % 3 != 0 ? Scalars<3>::kUnknown : sign * (3 << 28); },
+    [](std::mt19937& random, int sign) { return random() % 4 != 0 ? Scalars<3>::kUnknown : sign * static_cast<int32_t>(1u << random() % 31); },
+};
+
+/// Fits at each vertex of a brick; signs alternate from vertex to vertex, or are thrown.
+template <int D>
+void expectWithinNumbers(int rounds) {
+  constexpr int kNoGradient = 255;
+  std::mt19937 random(D);
+  ScalarWindow<D> scalars;
+  FitWindow<D> window;
+  for (int n = 0; n < rounds; ++n) {
+    for (const Extreme& extreme : kExtremes) {
+      forEachOf<D>(scalars, [&](const Offset<D>& offset, int32_t& value) {
+        const bool odd = n % 2 == 0 ? std::accumulate(offset.begin(), offset.end(), 0) % 2 != 0 : random() % 2 != 0;
+        value = extreme(random, odd ? 1 : -1);
+      });
+      for (const int gradient : {0, 3, 40, 4 * 31, kNoGradient}) {
+        window.load(scalars, gradient);
+        for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
+          for (int x = 0; x < kBrickSide; ++x) {
+            const auto fit = LocalFit<D>::of(window, r, x, n % 3 == 0);
+            ASSERT_TRUE(fit.level >= 0 && fit.level <= 2 * FitWindow<D>::kMost && fit.bent >= 0 && fit.bent <= 2 * FitWindow<D>::kMost);
+          }
         }
       }
     }
   }
+}
+
+TEST(LocalFit, staysWithinItsNumbers) {
+  expectWithinNumbers<2>(60);
+  expectWithinNumbers<3>(12);
+  expectWithinNumbers<4>(2);
 }
 
 }  // namespace
