@@ -55,8 +55,9 @@ void writeCloseByIsovalues(SeedFolder& seeds) {
   }
 }
 
-EncodeOptions adaptive(double bound, Polygonizer polygonizer) {
+EncodeOptions adaptive(double bound, Polygonizer polygonizer, int effort = 1) {
   EncodeOptions options;
+  options.effort = effort;
   options.adaptive = true;
   options.maxError = bound;
   options.polygonizer = polygonizer;
@@ -67,6 +68,7 @@ EncodeOptions adaptive(double bound, Polygonizer polygonizer) {
 void writeAdaptiveMeshes(SeedFolder& seeds) {
   const Size cube{24, 24, 24}, box{22, 24, 21};
   seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(1, Polygonizer::Cubes));
+  seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(1, Polygonizer::Tetrahedra, 2));
   seeds.write(sampled("ball", box, sphere(box, 0.45)).volume(), adaptive(0.9, Polygonizer::Tetrahedra));
   const SampledField disc = sampled("disc", {33, 28, 1}, [](double x, double y, double) { return 11.23 - std::hypot(x - 16.5, y - 14); });
   seeds.write(Image{disc.samples, {33, 28}}, adaptive(0.8, Polygonizer::Tetrahedra));

@@ -30,6 +30,18 @@ TEST(AdaptiveDamage, behindRightChecksumsItIsHarmless) {
   expectHarmless(good, 293);
 }
 
+TEST(AdaptiveDamage, whereScalarsAreFittedItIsHarmlessToo) {
+  const Size size{24, 24, 24};
+  EncodeOptions options;
+  options.maxError = 1;
+  options.adaptive = true;
+  options.effort = 2;
+  const Bytes good = encoded(sampled("ball", size, sphere(size, 0.45)), options);
+  const Anatomy anatomy(good);
+  ASSERT_TRUE(anatomy.header.adaptive && anatomy.header.fitted);
+  expectHarmless(good, 7);
+}
+
 TEST(AdaptiveDamage, streamsOfOneTopologyAreHarmlessLikewise) {
   EncodeOptions options;
   options.preserveTopology = true;

@@ -23,6 +23,8 @@ const streams = {
   lossless: encodeField('lossless', [20, 17, 9], waves, '--lossless', '--polygonizer', 'tetrahedra'),
   whole: encodeField('whole', [24, 24, 24], (i, j, k) => Math.round(1000 * waves(i, j, k)), '--max-error', '0.01'),
   adaptive: encodeField('adaptive', [40, 33, 36], (i, j, k) => 13 - Math.hypot(i - 19, j - 16, k - 17), '--max-error', '0.2', '--adaptive'),
+  adaptiveFitted: encodeField('adaptiveFitted', [40, 33, 36], (i, j, k) => 13 - Math.hypot(i - 19, j - 16, k - 17), '--max-error', '0.2', '--adaptive', '--effort', '2'),
+  severalFitted: encodeField('severalFitted', [24, 20, 26], waves, '--near', '0.1,-0.2', '--effort', '2', '--polygonizer', 'tetrahedra'),
   topology: encodeField('topology', [40, 33, 36], waves, '--preserve-topology'),
   several: encodeField('several', [24, 20, 26], (i, j, k) => Math.round(500 * waves(i, j, k)), '--near', '7.5,-20'),
   trimmed: encodeTetrahedra('trimmed', 8, (i, j, k) => 4.3 - Math.hypot(i - 4.1, j - 3, k - 4.4), '--grid', '29'),
