@@ -99,6 +99,13 @@ void printReport(const Arguments& arguments, const LoadedVolume& volume, const S
   print(report);
 }
 
+/// Some options are for volumes alone.
+void requireDimension(const LoadedVolume& volume, const EncodeOptions& options, const std::string& path) {
+  if (options.preserveTopology && volume.dimension != 3)
+    throw Failure(path, text("--preserve-topology is for volumes only; this is %s", volume.dimension == 2 ? "an image" : "a sequence"));
+  if (options.adaptive && volume.dimension == 4) throw Failure(path, "--adaptive is not for sequences; this is one");
+}
+
 std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions options, const std::string& path) {
   ProgressBar bar("encoding");
   options.progress = [&bar](double done) { bar.show(done); };
@@ -118,8 +125,8 @@ void requireDistinct(const EncodeOptions& options) {
   std::sort(all.begin(), all.end());
   const auto twice = std::adjacent_find(all.begin(), all.end());
   if (twice == all.end()) return;
-  if (*twice == options.isovalue) throw UsageFault(text("--near %.17g is the isovalue itself", *twice));
-  throw UsageFault(text("--near names %.17g twice", *twice));
+  if (*twice == options.isovalue) throw UsageFault(text("--near %g is the isovalue itself", *twice));
+  throw UsageFault(text("--near names %g twice", *twice));
 }
 
 /// Streams of several isovalues, and those of one topology, do not tell where a domain ends.
@@ -148,6 +155,7 @@ Encoded encodeSamples(Arguments& arguments, WorkReport& report) {
   const Stopwatch reading;
   LoadedVolume volume = readSource(arguments.source);
   report.io = reading.milliseconds();
+  requireDimension(volume, options, arguments.source.volume.path);
   if (!endsAtDomain(options)) leaveDomain(volume);
   warnOfRemarks(arguments, volume);
   if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);

@@ -483,6 +483,13 @@ TEST_F(CommandLine, streamsOfOneTopologySayThatTheyAre) {
   EXPECT_NE(run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology", "--adaptive"}).words.find("--adaptive"), std::string::npos);
 }
 
+TEST_F(CommandLine, saysWhatIsForVolumesOnly) {
+  write("sequence.nrrd", "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 5 5 5 2\nkinds: domain domain domain time\nencoding: raw\n\n" + bytesOf(counting<uint8_t>(250)));
+  EXPECT_EQ(run({"encode", "sequence.nrrd", "a.isostar", "--iso", "60.5"}).status, 0);
+  EXPECT_NE(expectFault(1, {"encode", "sequence.nrrd", "x.isostar", "--iso", "60.5", "--preserve-topology"}).find("this is a sequence"), std::string::npos);
+  EXPECT_NE(expectFault(1, {"encode", "sequence.nrrd", "x.isostar", "--iso", "60.5", "--adaptive"}).find("not for sequences"), std::string::npos);
+}
+
 TEST_F(CommandLine, readsRawAndWritesToAPipe) {
   write("v.raw", bytesOf(counting<uint8_t>(125)));
   const Outcome outcome = run({"encode", "v.raw", "-", "--size", "5,5,5", "--type", "u8", "--iso", "60.5"});
