@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "aim.h"
 #include "bricks.h"
 #include "models.h"
 #include "shape_estimate.h"
@@ -56,6 +57,13 @@ class TruthExchange {
   [[nodiscard]] Kernel kernel() const { return kernel_; }
   /// |scalar - isovalue| in quanta, of vertex x in row r of a brick of the finest octave.
   [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(place, r, x); }
+  /// What to tell of it in a pass that allows so much, by edge as in FarEnds. toldAt(axis, ahead): what Scalars know of the neighbour
+  /// ahead on an axis, or before. The magnitude itself but for a field that knows of crossings.
+  template <class ToldAt, class Allowed>
+  [[nodiscard]] Aim<D> aim(std::size_t place, std::size_t r, int x, ToldAt toldAt, const Allowed& allowed) const {
+    if constexpr (requires { field_.errors(place, r, x, toldAt, allowed); }) return {magnitude(place, r, x), field_.errors(place, r, x, toldAt, allowed)};
+    return {magnitude(place, r, x), {}};
+  }
   /// The typical difference along a crossing edge of the brick, 4 log2 of quanta.
   [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(place); }
   /// How far a vertex of the finest octave lies inside the domain, in quanta rounded down.
@@ -102,6 +110,10 @@ class BlindExchange {
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const { return std::nullopt; }
   [[nodiscard]] Kernel kernel() const { return Kernel::Middle; }
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
+  template <class ToldAt, class Allowed>
+  [[nodiscard]] NoAim aim(std::size_t, std::size_t, int, ToldAt, const Allowed&) const {
+    return {};
+  }
   [[nodiscard]] int gradient(std::size_t) const { return 0; }
   [[nodiscard]] int32_t domain(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] int displacement(std::size_t, std::size_t) const { return 0; }

@@ -67,8 +67,10 @@ class HalvingCoder {
     if (!moves(interval, pass.selective)) return;
     const auto guess = Interpolation<D>::of(window_, r, x, positive);
     if (pass.fitted) fit_->find(r, x, positive);
-    const uint32_t truth = ask.magnitude(place, r, x);
-    for (int told = 0; told < pass.most && moves(interval, pass.selective); ++told) halve(ask, interval, guess, truth, pass.fitted);
+    const auto neighbour = [&](int axis, bool ahead) { return window_.value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))]; };
+    auto aim = ask.aim(place, r, x, neighbour, pass.allowed);
+    aim.choose(interval.middle, uint32_t{1} << interval.width, [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
+    for (int told = 0; told < pass.most && moves(interval, pass.selective); ++told) halve(ask, interval, guess, aim, pass);
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
     if (pass.fitted) fit_->tell(r, x, brick.value[v]);
@@ -78,16 +80,30 @@ class HalvingCoder {
     return interval.width > 0 && farEnds_.move(interval.middle, uint32_t{1} << interval.width, selective);
   }
 
-  template <class Exchange>
-  void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, uint32_t truth, bool fitted) {
+  /// The middle of the interval that halving ends with for a magnitude: only an encoder can look ahead.
+  [[nodiscard]] uint32_t settled(Interval interval, uint32_t magnitude, bool selective) const {
+    while (moves(interval, selective)) {
+      const uint32_t half = uint32_t{1} << --interval.width;
+      interval.middle += 2 * uint64_t{magnitude} >= interval.middle ? half : -half;
+    }
+    return interval.middle;
+  }
+
+  template <class Exchange, class Aim>
+  void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, Aim& aim, const Pass& pass) {
+    const Interval whole = interval;
     const int width = --interval.width;
     // Where the guess lies in the interval, in sixteenths; it may lie outside.
     const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
     const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
     const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - width, 0, 7));
     Chance& chance = chances_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
-    const bool isUpper = 2 * uint64_t{truth} >= interval.middle;
-    const bool upper = fitted ? fit_->upper(ask.coder(), isUpper, interval.middle, width, fineness, chance) : chance.bit(ask.coder(), isUpper);
+    const bool upper = aim.persuade(
+        ask.coder(), whole.middle, [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
+        [&](auto& coder) {
+          const bool isUpper = aim.upper(whole.middle);
+          return pass.fitted ? fit_->upper(coder, isUpper, whole.middle, width, fineness, chance) : chance.bit(coder, isUpper);
+        });
     const uint32_t half = uint32_t{1} << width;
     interval.middle += upper ? half : -half;
   }

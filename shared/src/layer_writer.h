@@ -58,6 +58,7 @@ class LayerWriter {
   }
 
   void geometry(const GeometryPass<D>& pass) {
+    source_->quantized().aim(number_ == 0 && settles(pass));
     const LayerHead head{number_ == 0 ? pass.kind : LayerKind::NearGeometry, number_ == 0 ? known_.level : number_, 0, 0, 0};
     tell(
         head, source_->signs(),
@@ -97,6 +98,20 @@ class LayerWriter {
   template <class Tell>
   void tell(LayerHead head, const Signs<D>& truth, Tell what, const GeometryPass<D>* pass = nullptr) {
     layers_.add(head, pass, truth, source_->quantized(), what, [&] { return rms(); });
+  }
+
+  /// May a pass tell what is nearly true? Not where it repairs or a later one narrows all its intervals or a further isovalue's signs
+  /// are known by them, nor where diagonals have crossings, too, or bounds are so loose that most vertices keep what octaves say.
+  [[nodiscard]] bool settles(const GeometryPass<D>& pass) const {
+    constexpr double kLoosest = 0.15;
+    const Header& header = known_.header;
+    if (pass.kind != LayerKind::Halving || pass.selective || header.lossless || header.polygonizer != Polygonizer::Cubes || !header.near.empty()) return false;
+    if (header.maxError > kLoosest) return false;
+    for (unsigned a = 0; a < D; ++a) {
+      const uint32_t allowed = pass.allowed[1u << a];
+      if (allowed == 0 || allowed > 65536 * header.maxError / edgeLength(header.placement, 1u << a) + 1) return false;
+    }
+    return true;
   }
 
   /// The kernel that places the finest octave's surface best.

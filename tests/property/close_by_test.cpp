@@ -85,8 +85,9 @@ TEST(CloseBy, theFirstSurfaceCostsAsMuchAsAlone) {
     ASSERT_EQ(inspect(both, two), Error::None);
     ASSERT_GT(two.layers.size(), one.layers.size());
     for (std::size_t i = 0; i < two.layers.size(); ++i) EXPECT_EQ(two.layers[i].isovalue, i < one.layers.size() ? 0 : 1);
-    EXPECT_TRUE(std::equal(alone.begin() + static_cast<std::ptrdiff_t>(one.layers[0].offset), alone.end(),
-                           both.begin() + static_cast<std::ptrdiff_t>(two.layers[0].offset)));
+    // But for the last layers, where a stream of one isovalue may tell what is nearly true.
+    const auto nearly = [](uint64_t bytes, uint64_t others) { return bytes < others * 102 / 100 && others < bytes * 102 / 100; };
+    EXPECT_TRUE(nearly(two.layers[one.layers.size() - 1].offset, alone.size()));
     // A further one takes far less: two quanta away of a hundred a step.
     EXPECT_LT(both.size() - alone.size(), alone.size() / 4);
   }
