@@ -1,6 +1,8 @@
 // A brick's scalars as LocalFit takes them: scaled, with weights, and how the field bends there.
 #pragma once
 
+#include <algorithm>
+
 #include "scalar_window.h"
 
 namespace isostar {
@@ -69,7 +71,7 @@ class FitWindow {
   [[nodiscard]] const Bends& bends(std::size_t r, int x) const { return bends_[blockOf(r, x)]; }
 
  private:
-  static constexpr int kHalfSide = kBrickSide / 2, kPrior = 6, kMostOctave = 31;
+  static constexpr int kHalfSide = kBrickSide / 2, kPrior = 12, kMostOctave = 31;
   static constexpr std::array<int32_t, 8> kLess{1, 3, 11, 28, 43, 27, 10, 3};  // the weight is less by that for each octave that an interval is wider
 
   /// Blocks are halves of a brick on each axis.
@@ -87,9 +89,10 @@ class FitWindow {
     return static_cast<uint8_t>(width < 0 ? 0 : weight);
   }
 
+  /// Second differences, each counted by the least known of its three values; in the blocks of a brick they are mostly alike.
   void findBends() {
     struct Sum {
-      int32_t sum = 0, count = kPrior;
+      int32_t sum = 0, count = 1;
     };
     std::array<std::array<Sum, Direction<D>::kCount>, std::size_t{1} << D> sums{};
     for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
@@ -99,14 +102,18 @@ class FitWindow {
         auto& sum = sums[blockOf(r, x)];
         for (std::size_t d = 0; d < kDirections.size(); ++d) {
           const std::size_t after = at + static_cast<std::size_t>(kDirections[d].offset), before = at - static_cast<std::size_t>(kDirections[d].offset);
-          const int32_t both = weight_[after] != 0 && weight_[before] != 0 ? -1 : 0;
-          sum[d].sum += ((value_[after] + value_[before]) / 2 - value_[at]) & both;
-          sum[d].count -= both;
+          const int32_t least = std::min({weight_[at], weight_[after], weight_[before]});
+          const int32_t weight = least == 0 ? 0 : 1 + least / 4;
+          sum[d].sum += ((value_[after] + value_[before]) / 2 - value_[at]) * weight;
+          sum[d].count += weight;
         }
       }
     }
-    for (std::size_t b = 0; b < sums.size(); ++b) {
-      for (std::size_t d = 0; d < kDirections.size(); ++d) bends_[b][d] = sums[b][d].sum / sums[b][d].count;
+    for (std::size_t d = 0; d < kDirections.size(); ++d) {
+      int64_t sum = 0, count = 0;
+      for (const auto& block : sums) sum += block[d].sum, count += block[d].count;
+      const auto mean = static_cast<int32_t>(sum / count);
+      for (std::size_t b = 0; b < sums.size(); ++b) bends_[b][d] = (sums[b][d].sum + kPrior * mean) / (sums[b][d].count + kPrior);
     }
   }
 

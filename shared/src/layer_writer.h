@@ -136,8 +136,9 @@ class LayerWriter {
     if (known_.level < octaves_) return distance.rms(known_.signs, known_.hints());
     if (number_ == 0 && !known_.halved && known_.scalars.places() != 0) {
       Scalars<D> shown = known_.scalars;
-      Smoothing<D>::apply(known_.signs.table(), known_.scalars, 0, shown);
-      return distance.rms(known_.signs, shown, known_.hints());
+      const int finer = shown.magnify();
+      Smoothing<D>::apply(known_.signs.table(), known_.scalars, finer, shown, distance.places());
+      return distance.rms(known_.signs, shown, known_.hints(), finer);
     }
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());
     const NearSurface<D>& last = known_.near.surfaces().back();

@@ -74,16 +74,16 @@ typename SourceDistance<D>::Point SourceDistance<D>::normal(const EdgeEnds<D>& e
   return n;
 }
 
-/// What is known of a scalar, without its sign, in half quanta.
+/// What is known of a scalar, without its sign, in half quanta; `unit`: of the value.
 template <int D>
-double SourceDistance<D>::size(int32_t value) const {
-  return value >= 0 ? value + 2 * header_.positiveOffset - 1 : 2 * header_.negativeOffset - 1 - value;
+double SourceDistance<D>::size(int32_t value, double unit) const {
+  return value >= 0 ? value * unit + 2 * header_.positiveOffset - 1 : 2 * header_.negativeOffset - 1 - value * unit;
 }
 
 /// Where the surface told so far crosses an edge, from its even end (0) to its odd one (1).
 template <int D>
-double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, int evenAt, int oddAt) const {
-  const double even = size(scalars.value[static_cast<std::size_t>(evenAt)]), odd = size(scalars.value[static_cast<std::size_t>(oddAt)]);
+double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& sample, double unit) const {
+  const double even = size(scalars.value[static_cast<std::size_t>(sample.evenAt)], unit), odd = size(scalars.value[static_cast<std::size_t>(sample.oddAt)], unit);
   return even + odd > 0 ? even / (even + odd) : 0.5;
 }
 
@@ -110,18 +110,19 @@ double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) con
 }
 
 template <int D>
-double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints) const {
+double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints, int finer) const {
   const auto& table = finest.table();
   const bool told = scalars.places() != 0;
   Scalars<D> estimated = told ? Scalars<D>() : Scalars<D>(table.total());
   if (!told) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated, hints);
   ScalarWindow<D> window;
   std::size_t loaded = SIZE_MAX;
+  const double unit = std::ldexp(1, -finer);
   double sum = 0;
   for (const Sample& sample : samples_) {
     if (sample.place != loaded) window.load(told ? scalars : estimated, table, table.brick(sample.place));
     loaded = sample.place;
-    const double distance = (decoded(window, sample.evenAt, sample.oddAt) - sample.crossing) * sample.perEdge;
+    const double distance = (decoded(window, sample, unit) - sample.crossing) * sample.perEdge;
     sum += distance * distance;
   }
   return samples_.empty() ? 0 : std::sqrt(sum / static_cast<double>(samples_.size()));

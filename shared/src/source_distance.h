@@ -18,8 +18,10 @@ class SourceDistance {
   /// RMS distance from the source's surface to what `cubes` makes of a coarse octave's signs: what is missing counts, too.
   /// Where there is nothing yet, the diagonal of the box.
   [[nodiscard]] double rms(const Signs<D>& coarse, const Hints<D>& hints) const;
-  /// RMS distance of the finest octave's surface; scalars without places stand for none told.
-  [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints = {}) const;
+  /// RMS distance of the finest octave's surface; scalars without places stand for none told, and count 2^-finer half quanta.
+  [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints = {}, int finer = 0) const;
+  /// The bricks that it looks at, by place.
+  [[nodiscard]] const std::vector<uint8_t>& places() const { return near_; }
 
   /// The bricks with an end of an edge on which a vertex of the finest surface is off by more than a bound, 1 marked, by
   /// place; empty if there is none. All scalars are known.
@@ -37,8 +39,8 @@ class SourceDistance {
     Point position, normal;
   };
 
-  [[nodiscard]] double size(int32_t value) const;
-  [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, int evenAt, int oddAt) const;
+  [[nodiscard]] double size(int32_t value, double unit = 1) const;
+  [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, const Sample& sample, double unit) const;
   [[nodiscard]] Point normal(const EdgeEnds<D>& ends) const;
 
   const GridField<D>& field_;
