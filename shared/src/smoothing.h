@@ -29,9 +29,10 @@ class Smoothing {
   static constexpr int kGainBits = 12;
 
   void brick(const BrickTable<D>& table, const Scalars<D>& told, std::size_t place, int finer, Scalars<D>& shown) {
+    const auto& intervals = told.at(place);
+    if (halved(intervals)) return;
     window_.load(told, table, table.brick(place));
     fits_.load(window_, told.gradient(place));
-    const auto& intervals = told.at(place);
     find(intervals);
     if (count_ == 0) return;
     const Gains gains = findGains();
@@ -63,6 +64,14 @@ class Smoothing {
         moves_[count_++] = {static_cast<uint32_t>(v), log2Half, offset};
       });
     }
+  }
+
+  /// Has a pass that ends within come so far? Where it has, what it told is shown as it is: octaves are [0, 2^n) and [2^n, 2^(n + 1)).
+  static bool halved(const typename Scalars<D>::Brick& intervals) {
+    for (std::size_t v = 0; v < Scalars<D>::kVertices; ++v) {
+      if (intervals.knows(v) && intervals.middle(v) >> intervals.width(v) > 3) return true;
+    }
+    return false;
   }
 
   using Gains = std::array<int64_t, kMostHalf + 1>;  // in 2^-kGainBits, by log2 of half an interval

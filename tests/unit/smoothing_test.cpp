@@ -3,15 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <random>
 
 namespace isostar {
 namespace {
 
-constexpr int kGradient = 4 * 10, kWidth = 8;  // 2^10 quanta a step, known to a quarter of it
+constexpr int kGradient = 4 * 10, kFloor = 7;  // 2^10 quanta a step; octaves from an eighth of it on
 
-/// A brick's scalars within a step and a half of the surface, known to 2^kWidth quanta.
+/// A brick's scalars within a step and a half of the surface, known to octaves.
 template <class Field>
 Scalars<3> toldOf(const BrickTable<3>& table, Field field) {
   Scalars<3> told(table.total());
@@ -20,8 +21,9 @@ Scalars<3> toldOf(const BrickTable<3>& table, Field field) {
   for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
     const double value = field(vertexOf<3>({}, v)) * 1024;
     if (std::abs(value) > 1536) continue;
-    const auto low = static_cast<uint32_t>(std::abs(value)) >> kWidth << kWidth;
-    brick.set(v, value > 0, low, kWidth);
+    const auto magnitude = static_cast<uint32_t>(std::abs(value));
+    const int width = magnitude < 1u << kFloor ? kFloor : std::bit_width(magnitude) - 1;
+    brick.set(v, value > 0, magnitude < 1u << kFloor ? 0 : 1u << width, width);
     brick.members[0].words[v / 64] |= uint64_t{1} << v % 64;
   }
   return told;
@@ -56,7 +58,7 @@ TEST(Smoothing, bringsSmoothFieldsNearer) {
       ASSERT_EQ(shown.at(0).knows(v), told.at(0).knows(v));
       if (!told.at(0).knows(v)) continue;
       EXPECT_EQ(shown.at(0).value[v] > 0, told.at(0).value[v] > 0);
-      EXPECT_LT(std::abs(std::ldexp(shown.at(0).value[v], -finer) - told.at(0).value[v]), 1 << kWidth);
+      EXPECT_LT(std::abs(std::ldexp(shown.at(0).value[v], -finer) - told.at(0).value[v]), 1 << told.at(0).width(v));
     }
   }
 }
@@ -78,16 +80,27 @@ TEST(Smoothing, leavesSingleQuantaAndOtherBricksAlone) {
   const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
   Scalars<3> told = toldOf(table, ball);
   auto& brick = told.writable(0);
-  std::size_t exact = Scalars<3>::kVertices;
-  while (!brick.knows(--exact)) {
-  }
-  brick.set(exact, brick.value[exact] > 0, brick.middle(exact) / 2, 0);
+  std::size_t exact = 0;
+  while (!brick.knows(exact)) ++exact;
+  brick.set(exact, brick.value[exact] > 0, 0, 0);
   Scalars<3> shown = told;
   Smoothing<3>::apply(table, told, 0, shown, std::vector<uint8_t>{0});
   EXPECT_EQ(shown.at(0).value, told.at(0).value);
   Smoothing<3>::apply(table, told, 0, shown);
   EXPECT_NE(shown.at(0).value, told.at(0).value);
   EXPECT_EQ(shown.at(0).value[exact], told.at(0).value[exact]);
+}
+
+TEST(Smoothing, leavesBricksAloneWhereIntervalsHaveBeenHalved) {
+  const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
+  Scalars<3> told = toldOf(table, ball);
+  auto& brick = told.writable(0);
+  std::size_t halved = 0;
+  while (!brick.knows(halved) || brick.low(halved) == 0) ++halved;
+  brick.set(halved, brick.value[halved] > 0, brick.low(halved), brick.width(halved) - 1);
+  Scalars<3> shown = told;
+  Smoothing<3>::apply(table, told, 0, shown);
+  EXPECT_EQ(shown.at(0).value, told.at(0).value);
 }
 
 }  // namespace
