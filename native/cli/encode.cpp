@@ -254,7 +254,7 @@ void addEncode(CLI::App& app) {
                 "Show no surface on the way that has other components or handles than the last one; volumes only");
   command
       .add_option("--effort", options.effort,
-                  "2 makes streams smaller, smooth surfaces' by up to a quarter, and takes longer to encode and to decode")
+                  "2 makes streams smaller, smooth surfaces' by up to 18 %, and takes longer to encode and to decode")
       ->check(CLI::Range(1, EncodeOptions::kMostEffort));
   addPolygonizer(command, options.polygonizer, "The surface that the bound holds for");
   addUnits(command, arguments->units,

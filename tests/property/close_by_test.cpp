@@ -93,6 +93,20 @@ TEST(CloseBy, theFirstSurfaceCostsAsMuchAsAlone) {
   }
 }
 
+/// Where no stream aims: without loss, and within loose bounds.
+TEST(CloseBy, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
+  const auto field = sampled("whole", {33, 30, 31}, [](double x, double y, double z) { return std::round(100 * gyroid(13)(x, y, z)); });
+  for (const bool lossless : {false, true}) {
+    EncodeOptions single = near(10.5, {}), several = near(10.5, {12.5});
+    single.lossless = several.lossless = lossless;
+    single.maxError = several.maxError = 0.2;
+    const Bytes alone = encoded(field, single), both = encoded(field, several);
+    ASSERT_GT(both.size(), alone.size());
+    EXPECT_TRUE(std::equal(alone.begin() + static_cast<std::ptrdiff_t>(infoOf(alone).layers[0].offset), alone.end(),
+                           both.begin() + static_cast<std::ptrdiff_t>(infoOf(both).layers[0].offset)));
+  }
+}
+
 TEST(CloseBy, theNearestIsToldFirst) {
   const auto field = sampled("sphere", {12, 12, 12}, sphere({12, 12, 12}));
   StreamInfo info;

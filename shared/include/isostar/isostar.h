@@ -83,7 +83,7 @@ struct EncodeOptions {
   bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences, lossless or near
   bool preserveTopology = false;  // every surface along the stream has the finest one's (§4.3); volumes only; not combined with `adaptive`, which then makes no difference
   /// 1: what decodes at once; 2: scalars are predicted by least squares from all around (§6), which makes smooth surfaces'
-  /// streams smaller by up to a quarter, and takes encoder and decoder longer.
+  /// streams smaller by up to 18 %, and takes encoder and decoder longer.
   int effort = 1;
   static constexpr int kMostEffort = 2;
   std::function<void(double done)> progress;     // called now and then with 0 … 1
