@@ -1,7 +1,7 @@
 // Any layers behind a plausible header and right checksums, straight into the traversals, torn at times: within any memory allowed.
 #include "fuzz_input.h"
 #include "hostile/allocation.h"
-#include "stream.h"
+#include "container/stream.h"
 
 using namespace isostar;
 

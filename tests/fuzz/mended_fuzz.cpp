@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "fuzz_input.h"
-#include "stream.h"
+#include "container/stream.h"
 
 using namespace isostar;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "property/round_trip.h"
-#include "stream.h"
+#include "container/stream.h"
 
 namespace isostar {
 

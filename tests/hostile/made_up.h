@@ -5,7 +5,7 @@
 
 #include "allocation.h"
 #include "anatomy.h"
-#include "layers.h"
+#include "coding/codec_state.h"
 #include "unit/traversal.h"
 
 namespace isostar {

@@ -12,8 +12,8 @@
 #include "bench/figure6/scalar_coder.h"
 #include "bench/figure6/single_rate_codec.h"
 #include "bench/figure6/volume_signs.h"
-#include "decomposition.h"
-#include "gate_traversal.h"
+#include "bisection/adaptation.h"
+#include "coding/adaptive/gate_traversal.h"
 #include "measure/surface_distance.h"
 
 namespace isostar::bench {

@@ -1,7 +1,7 @@
 // A mesh adapted to a criterion meets it, is conforming and no finer than it must be (§4.3).
-#include "decomposition.h"
+#include "bisection/adaptation.h"
 
-#include "criteria.h"
+#include "bisection/criteria.h"
 #include "rbmt_checks.h"
 #include "sampled_shapes.h"
 

@@ -1,7 +1,7 @@
 // An adapted mesh told through its gates is the same on the other side (§5.1, adaptive).
-#include "gate_traversal.h"
+#include "coding/adaptive/gate_traversal.h"
 
-#include "decomposition.h"
+#include "bisection/adaptation.h"
 #include "rbmt_checks.h"
 #include "sampled_shapes.h"
 

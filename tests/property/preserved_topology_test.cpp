@@ -6,7 +6,7 @@
 
 #include "delicate_shapes.h"
 #include "round_trip.h"
-#include "sign_turns.h"
+#include "encoder/topology/sign_flips.h"
 #include "surface_checks.h"
 
 namespace isostar {

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "leaves.h"
+#include "bisection/leaves.h"
 
 namespace isostar {
 

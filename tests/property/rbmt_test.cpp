@@ -1,5 +1,5 @@
 // Any sequence of splits and welds leaves a conforming, regular mesh (§4.3).
-#include "rbmt.h"
+#include "bisection/rbmt.h"
 
 #include "rbmt_checks.h"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "leaves.h"
-#include "linear_function.h"
+#include "bisection/leaves.h"
+#include "bisection/linear_function.h"
 
 namespace isostar {
 

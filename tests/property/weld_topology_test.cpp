@@ -1,10 +1,10 @@
 // Welds that topology.h lets pass leave the isosurface's topology alone (§4.3), and careless ones do not.
-#include "criteria.h"
-#include "decomposition.h"
+#include "bisection/criteria.h"
+#include "bisection/adaptation.h"
 #include "delicate_shapes.h"
 #include "rbmt_checks.h"
 #include "surface_invariants.h"
-#include "topology.h"
+#include "bisection/weld_topology.h"
 
 namespace isostar {
 namespace {

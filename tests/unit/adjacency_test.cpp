@@ -1,5 +1,5 @@
 // Neighbours and parents in closed form are those that bisection makes (§4.3).
-#include "adjacency.h"
+#include "bisection/adjacency.h"
 
 #include "../property/rbmt_checks.h"
 

@@ -1,5 +1,5 @@
 // What is told instead of the truth: never worse for the crossings than the truth's interval, unless that saves enough.
-#include "aim.h"
+#include "coding/exchange/rdoq_target.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base_coder.h"
+#include "coding/signs/base_coder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bricks.h"
+#include "grid/signs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bytes.h"
+#include "container/bytes.h"
 
 #include <gtest/gtest.h>
 

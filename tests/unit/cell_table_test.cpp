@@ -1,4 +1,4 @@
-#include "cell_table.h"
+#include "surface/cell_table.h"
 
 #include <gtest/gtest.h>
 

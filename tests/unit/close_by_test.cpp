@@ -1,4 +1,4 @@
-#include "close_by.h"
+#include "coding/isovalues/further_isovalues.h"
 
 #include <gtest/gtest.h>
 

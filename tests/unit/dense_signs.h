@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "bricks.h"
+#include "grid/signs.h"
 
 namespace isostar {
 

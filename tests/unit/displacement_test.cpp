@@ -1,11 +1,11 @@
-#include "displacement_plan.h"
+#include "encoder/core/displacement_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "displacement_coder.h"
-#include "octave.h"
+#include "coding/geometry/displacement_coder.h"
+#include "grid/refined_signs.h"
 #include "sign_fields.h"
 #include "traversal.h"
 

@@ -1,11 +1,11 @@
-#include "field.h"
+#include "encoder/core/field.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
-#include "octave.h"
+#include "grid/refined_signs.h"
 #include "sign_fields.h"
 
 namespace isostar {

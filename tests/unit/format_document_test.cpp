@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "layers.h"
+#include "coding/codec_state.h"
 
 namespace isostar {
 namespace {

@@ -1,4 +1,4 @@
-#include "fresh_rows.h"
+#include "grid/new_vertex_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "halving_coder.h"
-#include "octave.h"
-#include "octaves_coder.h"
+#include "coding/geometry/magnitude_coder.h"
+#include "grid/refined_signs.h"
+#include "coding/geometry/exponent_coder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "leaves.h"
+#include "bisection/leaves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A fit finds linear fields exactly, bent ones nearly, and never goes beyond its numbers.
-#include "local_fit.h"
+#include "estimate/local_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "models.h"
+#include "entropy/models.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "neighbourhood.h"
+#include "grid/neighbourhood.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "simplex.h"
+#include "grid/simplex.h"
 
 namespace isostar {
 namespace {

@@ -1,4 +1,4 @@
-#include "octave.h"
+#include "grid/refined_signs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "range_coder.h"
+#include "entropy/range_coder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "rbmt.h"
+#include "bisection/rbmt.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "leaves.h"
+#include "bisection/leaves.h"
 
 namespace isostar {
 namespace {

@@ -1,4 +1,4 @@
-#include "refinement_coder.h"
+#include "coding/signs/refinement_coder.h"
 
 #include <gtest/gtest.h>
 

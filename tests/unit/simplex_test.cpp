@@ -1,4 +1,4 @@
-#include "simplex.h"
+#include "grid/simplex.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Smoothing brings scalars of smooth fields nearer to the truth, within their intervals, and rough ones hardly farther.
-#include "smoothing.h"
+#include "estimate/dequantization.h"
 
 #include <gtest/gtest.h>
 

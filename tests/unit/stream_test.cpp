@@ -1,4 +1,4 @@
-#include "stream.h"
+#include "container/stream.h"
 
 #include <gtest/gtest.h>
 

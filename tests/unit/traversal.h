@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "exchange.h"
+#include "coding/exchange/exchange.h"
 
 namespace isostar {
 

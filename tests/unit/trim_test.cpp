@@ -1,5 +1,5 @@
 // Triangles cut where a function is 0.
-#include "trim.h"
+#include "surface/trim.h"
 
 #include <gtest/gtest.h>
 

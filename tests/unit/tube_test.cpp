@@ -1,11 +1,11 @@
-#include "tube.h"
+#include "grid/tube.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "sign_fields.h"
-#include "simplex.h"
+#include "grid/simplex.h"
 
 namespace isostar {
 namespace {

@@ -1,4 +1,4 @@
-#include "vertex_cloud.h"
+#include "encoder/core/vertex_cloud.h"
 
 #include <gtest/gtest.h>
 

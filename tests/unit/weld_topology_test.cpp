@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "topology.h"
+#include "bisection/weld_topology.h"
 
 namespace isostar {
 namespace {

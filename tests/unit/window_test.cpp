@@ -1,4 +1,4 @@
-#include "window.h"
+#include "grid/window.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/figure6/dual_surface.h"
-#include "models.h"
+#include "entropy/models.h"
 
 namespace isostar::bench {
 

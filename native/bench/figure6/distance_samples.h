@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bricks.h"
+#include "grid/signs.h"
 #include "isostar/isostar.h"
 #include "measure/triangle_tree.h"
 

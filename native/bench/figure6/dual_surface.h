@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "isostar/isostar.h"
-#include "lattice.h"
+#include "grid/lattice.h"
 
 namespace isostar::bench {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "linear_function.h"
+#include "bisection/linear_function.h"
 
 namespace isostar::bench {
 

@@ -8,7 +8,7 @@
 #include "bench/figure6/octree_signs.h"
 #include "bench/figure6/octree_truth.h"
 #include "bench/figure6/volume_signs.h"
-#include "bytes.h"
+#include "container/bytes.h"
 #include "volume/placement.h"
 
 namespace isostar::bench {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bricks.h"
-#include "models.h"
+#include "grid/signs.h"
+#include "entropy/models.h"
 
 namespace isostar::bench {
 

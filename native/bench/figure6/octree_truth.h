@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bricks.h"
+#include "grid/signs.h"
 
 namespace isostar::bench {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "linear_function.h"
-#include "models.h"
+#include "bisection/linear_function.h"
+#include "entropy/models.h"
 
 namespace isostar::bench {
 

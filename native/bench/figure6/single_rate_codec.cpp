@@ -4,10 +4,10 @@
 #include "bench/figure6/leaf_field.h"
 #include "bench/figure6/scalar_coder.h"
 #include "bench/figure6/volume_signs.h"
-#include "bytes.h"
-#include "criteria.h"
-#include "decomposition.h"
-#include "gate_traversal.h"
+#include "container/bytes.h"
+#include "bisection/criteria.h"
+#include "bisection/adaptation.h"
+#include "coding/adaptive/gate_traversal.h"
 
 namespace isostar::bench {
 namespace {

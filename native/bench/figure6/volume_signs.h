@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bricks.h"
+#include "grid/signs.h"
 #include "isostar/isostar.h"
 
 namespace isostar::bench {

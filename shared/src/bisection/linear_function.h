@@ -1,0 +1,59 @@
+// The linear function on a simplex of the RBMT.
+#pragma once
+
+#include <cmath>
+
+#include "bisection/tagged_simplex.h"
+
+namespace isostar {
+
+template <int D>
+using Vector = std::array<double, D>;
+
+template <int D>
+double dot(const Vector<D>& v, const Vector<D>& w) {
+  double sum = 0;
+  for (int a = 0; a < D; ++a) sum += v[a] * w[a];
+  return sum;
+}
+
+/// Given by its values at the simplex's vertices; lengths are grid steps.
+template <int D>
+class LinearFunction {
+ public:
+  /// values(vertex) → double. The simplex is not flat.
+  template <class Values>
+  LinearFunction(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s, const Values& values)
+      : origin_(hierarchy.position(s.vertices[0])), value_(values(s.vertices[0])) {
+    // Vertex i differs from vertex 0 on one axis that earlier ones did not differ on: forward substitution.
+    for (int i = 1; i <= D; ++i) {
+      const auto at = hierarchy.position(s.vertices[i]);
+      double rise = values(s.vertices[i]) - value_;
+      int fresh = 0;
+      for (int a = 0; a < D; ++a) {
+        if (at[a] == origin_[a]) continue;
+        if ((known_ >> a & 1) == 0) fresh = a;
+        rise -= gradient_[a] * (at[a] - origin_[a]);
+      }
+      known_ |= 1u << fresh;
+      gradient_[fresh] = rise / (at[fresh] - origin_[fresh]);
+    }
+  }
+
+  [[nodiscard]] const Vector<D>& gradient() const { return gradient_; }
+  [[nodiscard]] double steepness() const { return std::sqrt(dot<D>(gradient_, gradient_)); }
+  /// At a sample.
+  [[nodiscard]] double at(const Coordinates<D>& position) const {
+    double value = value_;
+    for (int a = 0; a < D; ++a) value += gradient_[a] * (position[a] - origin_[a]);
+    return value;
+  }
+
+ private:
+  Coordinates<D> origin_;
+  double value_;
+  Vector<D> gradient_{};
+  unsigned known_ = 0;
+};
+
+}  // namespace isostar

@@ -1,0 +1,159 @@
+// A mesh of the regular binary multi-triangulation (§4.2, §4.3): splits, welds and the non-local transitions they need.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "grid/signs.h"
+#include "bisection/tagged_simplex.h"
+
+namespace isostar {
+
+/// A conforming mesh whose adjacent simplices differ by one level at most. It *is* a set of vertices that holds the
+/// parents of each of its vertices: a simplex is split where the set has the middle of its refinement edge.
+///
+/// Vertices are in finest steps, must not be negative nor beyond the padded lattice, and are asked for as the hierarchy
+/// names them; those that it does not hold (around which the box has no simplices) are in no set.
+template <int D>
+class Rbmt {
+ public:
+  using Vertices = std::vector<Coordinates<D>>;
+
+  Rbmt() = default;
+  /// The base mesh (T⁰ of the paper).
+  explicit Rbmt(const Hierarchy<D>& hierarchy) : hierarchy_(hierarchy), bits_(hierarchy.paddedLattice()) {}
+  /// The full mesh: all vertices of all octaves.
+  [[nodiscard]] static Rbmt full(const Hierarchy<D>& hierarchy) {
+    Rbmt mesh(hierarchy);
+    mesh.bits_.fill(Signs<D>::kPositive);
+    return mesh;
+  }
+
+  [[nodiscard]] const Hierarchy<D>& hierarchy() const { return hierarchy_; }
+  [[nodiscard]] bool contains(const Coordinates<D>& v) const {
+    return hierarchy_.holds(v) && (hierarchy_.isBase(v) || bits_.at(v));
+  }
+  /// Has a simplex that is or was of the mesh been split?
+  [[nodiscard]] bool splits(const TaggedSimplex<D>& s) const {
+    return s.level < hierarchy_.levels() && bits_.at(s.middle());
+  }
+  /// Bytes in use.
+  [[nodiscard]] std::size_t memory() const { return bits_.memory(); }
+
+  /// Is the split of v's diamond a local transition, all parents being there?
+  [[nodiscard]] bool canSplit(const Coordinates<D>& v) const {
+    if (!splittable(v)) return false;
+    bool ready = true;
+    hierarchy_.forEachParent(hierarchy_.diamond(v), [&](const Coordinates<D>& p) { ready = ready && contains(p); });
+    return ready;
+  }
+  /// The least set of vertices that must arrive for v to be there, itself included and last, in an order in which each
+  /// is a local split. Empty if v is there, or nowhere.
+  void missing(const Coordinates<D>& v, Vertices& out) const {
+    out.clear();
+    if (!splittable(v)) return;
+    closure(v, out, [&](const Coordinates<D>& u, auto&& push) {
+      hierarchy_.forEachParent(hierarchy_.diamond(u), [&](const Coordinates<D>& p) {
+        if (!contains(p)) push(p);
+      });
+    });
+  }
+  /// Splits v's diamond and before it what `missing` says, which `added` tells.
+  void split(const Coordinates<D>& v, Vertices& added) {
+    missing(v, added);
+    for (const auto& u : added) bits_.set(u, true);
+  }
+
+  /// Is the weld of v a local transition, none of its children being there?
+  [[nodiscard]] bool canWeld(const Coordinates<D>& v) const {
+    if (!weldable(v)) return false;
+    bool ready = true;
+    hierarchy_.forEachChild(hierarchy_.diamond(v), [&](const Coordinates<D>& c) { ready = ready && !bits_.at(c); });
+    return ready;
+  }
+  /// The least set of vertices that must go for v to go, itself included and last, in an order in which each is a local
+  /// weld. Empty if v is not there, or is of the base.
+  void dependents(const Coordinates<D>& v, Vertices& out) const {
+    out.clear();
+    if (!weldable(v)) return;
+    closure(v, out, [&](const Coordinates<D>& u, auto&& push) {
+      hierarchy_.forEachChild(hierarchy_.diamond(u), [&](const Coordinates<D>& c) {
+        if (bits_.at(c)) push(c);
+      });
+    });
+  }
+  /// Welds v's diamond and before it what `dependents` says, which `removed` tells.
+  void weld(const Coordinates<D>& v, Vertices& removed) {
+    dependents(v, removed);
+    for (const auto& u : removed) bits_.set(u, false);
+  }
+
+  /// Calls visit(vertex) for the vertices of a level (1 … levels) that are in the mesh, in an order of their own. The
+  /// visitor may split and weld; what it adds on this level may be visited or not.
+  template <class Visit>
+  void forEachVertex(int level, Visit&& visit) const {
+    const int32_t half = int32_t{1} << (hierarchy_.octaves() - 1 - (level - 1) / D);
+    const int axes = D - (level - 1) % D;
+    for (std::size_t place = 0; place < bits_.table().total(); ++place) {
+      if (bits_.index(place) == Signs<D>::kNegative) continue;
+      Coordinates<D> lowest = bits_.table().brick(place);
+      for (int32_t& x : lowest) x *= kBrickSide;
+      for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
+        if (Diamond<D>{{}, half, fresh, level}.axes() == axes) forEachInBrick(lowest, half, fresh, visit);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] bool splittable(const Coordinates<D>& v) const { return hierarchy_.holds(v) && !contains(v); }
+  [[nodiscard]] bool weldable(const Coordinates<D>& v) const { return !hierarchy_.isBase(v) && contains(v); }
+
+  /// v and all that `next` leads to, generation by generation, the farthest first. A generation is one level: none of
+  /// its vertices can come up again in another.
+  template <class Next>
+  static void closure(const Coordinates<D>& v, Vertices& out, Next next) {
+    out.push_back(v);
+    std::size_t begin = 0;
+    while (begin < out.size()) {
+      const std::size_t end = out.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto u = out[i];
+        next(u, [&](const Coordinates<D>& other) { out.push_back(other); });
+      }
+      const auto generation = out.begin() + static_cast<std::ptrdiff_t>(end);
+      std::sort(generation, out.end());
+      out.erase(std::unique(generation, out.end()), out.end());
+      begin = end;
+    }
+    std::reverse(out.begin(), out.end());
+  }
+
+  /// The mesh's vertices in a brick that are fresh on these axes, on the octave with planes `half` apart.
+  template <class Visit>
+  void forEachInBrick(const Coordinates<D>& lowest, int32_t half, unsigned fresh, Visit& visit) const {
+    const int32_t stride = 2 * half;
+    Coordinates<D> first, last;
+    for (int a = 0; a < D; ++a) {
+      const int32_t phase = (fresh >> a & 1) != 0 ? half : 0;
+      first[a] = (lowest[a] - phase + stride - 1) / stride * stride + phase;
+      if (lowest[a] < phase) first[a] = phase;
+      last[a] = std::min(lowest[a] + kBrickSide - 1, bits_.lattice().last[a]);
+      if (first[a] > last[a]) return;
+    }
+    for (auto v = first;;) {
+      if (contains(v)) visit(v);
+      int a = 0;
+      for (; a < D; ++a) {
+        v[a] += stride;
+        if (v[a] <= last[a]) break;
+        v[a] = first[a];
+      }
+      if (a == D) return;
+    }
+  }
+
+  Hierarchy<D> hierarchy_;
+  Signs<D> bits_;
+};
+
+}  // namespace isostar

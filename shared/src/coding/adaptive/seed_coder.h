@@ -1,0 +1,87 @@
+// Where a component begins (§5.1, localization): the way down the hierarchy to a leaf, Left or Right at each bisection.
+#pragma once
+
+#include "bisection/adjacency.h"
+#include "bisection/leaves.h"
+#include "entropy/models.h"
+
+namespace isostar {
+
+/// Seeds come in the order of forEachLeaf: while the way follows that of the seed before, it never turns left of it.
+template <int D>
+class SeedCoder {
+ public:
+  explicit SeedCoder(const Hierarchy<D>& hierarchy) : hierarchy_(hierarchy) {
+    forEachLeaf(Rbmt<D>(hierarchy), [&](const TaggedSimplex<D>& s) { base_.push_back(s); });
+    for (std::size_t most = static_cast<std::size_t>(hierarchy.levels()); most != 0; most >>= 1) ++levelBits_;
+    levels_.resize(std::size_t{1} << levelBits_);
+  }
+
+  /// Has the box no simplices, having no extent on some axis?
+  [[nodiscard]] bool empty() const { return base_.empty(); }
+
+  /// Tells the level of the leaf, then the way to it; the decoder has no truth. Not if there are no simplices.
+  template <class Coder>
+  TaggedSimplex<D> locate(Coder& coder, const std::optional<TaggedSimplex<D>>& truth) {
+    const int level = this->level(coder, truth ? truth->level : 0);
+    std::vector<TaggedSimplex<D>> way;  // of the truth, from the leaf to the base
+    if (truth) {
+      way.push_back(*truth);
+      while (way.back().level > 0) way.push_back(parent(way.back()));
+    }
+    follows_ = true;
+    turns_.clear();
+    std::size_t first = 0, count = base_.size();
+    const std::size_t at = truth ? number(way.back()) : 0;
+    while (count > 1) {
+      const std::size_t half = count / 2;
+      const bool right = turn(coder, at >= first + half);
+      first += right ? half : 0;
+      count = right ? count - half : half;
+    }
+    auto s = base_[first];
+    while (s.level < level) {
+      const auto halves = s.halves();
+      // A half beyond the box's end is no decision.
+      const bool onlyRight = hierarchy_.flat(halves[0].vertices), onlyLeft = hierarchy_.flat(halves[1].vertices);
+      const bool right = truth && way[static_cast<std::size_t>(level - s.level - 1)].vertices == halves[1].vertices;
+      s = halves[onlyRight || (!onlyLeft && turn(coder, right)) ? 1 : 0];
+    }
+    last_ = turns_;
+    return s;
+  }
+
+ private:
+  template <class Coder>
+  int level(Coder& coder, int truth) {
+    std::size_t node = 1;
+    for (int bit = levelBits_ - 1; bit >= 0; --bit) node = 2 * node + levels_[node].bit(coder, (truth >> bit & 1) != 0);
+    return std::min(static_cast<int>(node - levels_.size()), hierarchy_.levels());
+  }
+
+  template <class Coder>
+  bool turn(Coder& coder, bool right) {
+    const bool seen = follows_ && turns_.size() < last_.size(), before = seen && last_[turns_.size()];
+    // Left of the seed before there is none.
+    const bool taken = before || (seen ? leaves_ : free_).bit(coder, right);
+    follows_ = seen && taken == before;
+    turns_.push_back(taken);
+    return taken;
+  }
+
+  [[nodiscard]] std::size_t number(const TaggedSimplex<D>& s) const {
+    std::size_t at = 0;
+    while (base_[at].vertices != s.vertices) ++at;
+    return at;
+  }
+
+  Hierarchy<D> hierarchy_;
+  std::vector<TaggedSimplex<D>> base_;
+  std::vector<bool> turns_, last_;  // of this seed and of the one before
+  bool follows_ = true;             // have all turns been those of the seed before?
+  int levelBits_ = 0;
+  std::vector<Chance> levels_;  // a tree of bits
+  Chance free_, leaves_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,188 @@
+// Before the scalars (§5.3): where the signs leave the surface's place open, cubes of vertices say how far it lies off.
+#pragma once
+
+#include "scalars/displacement_window.h"
+#include "coding/exchange/exchange.h"
+#include "util/cold_path.h"
+
+namespace isostar {
+
+/// Tells a displacement for each cube of vertices, of all at a time: every part of the surface comes a little nearer before
+/// any comes much nearer. Planes along the grid gain most, as the signs around them say nothing.
+template <int D>
+class DisplacementCoder {
+ public:
+  ISOSTAR_SELDOM DisplacementCoder() { weights_.fill(Mixer<kInputs>::fresh()); }
+
+  template <class Exchange>
+  void tell(Exchange& ask, const Signs<D>& signs, Displacements<D>& displacements, const DisplacementPass& pass, const std::vector<uint8_t>& active) {
+    for (std::size_t place = 0; place < active.size() && !ask.spent(displacements.memory()); ++place) {
+      if (active[place] != 0) cubes(ask, signs, displacements, place, pass);
+    }
+  }
+
+ private:
+  using Values = Displacements<D>;
+  static constexpr int kInputs = 4;
+  static constexpr int kMost = 4;  // steps at a time
+  static constexpr std::size_t kDecisions = kMost + 1;
+  static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4, kWideTrusts = 8;
+
+  template <class Exchange>
+  void cubes(Exchange& ask, const Signs<D>& signs, Values& displacements, std::size_t place, const DisplacementPass& pass) {
+    findMembers(signs, displacements, place);
+    auto& own = displacements.writable(place);
+    window_.load(displacements, signs.table(), signs.table().brick(place));
+    if (pass.log2Side == 1) {
+      for (std::size_t block = 0; block < own.size(); ++block) {
+        if (!members_[block]) continue;
+        const int before = own[block] == Values::kNone ? 0 : own[block];
+        move(own, block, tell(ask, context(block, 1, pass.step, before, 1), ask.displacement(place, block)) * pass.step);
+      }
+      return;
+    }
+    const int side = 1 << (pass.log2Side - 1);
+    Coordinates<D> first{};
+    do {
+      cube(ask, own, place, first, side, pass.step);
+    } while (next(first, side));
+  }
+
+  /// The blocks with a positive end of a crossing axis edge; a pass before has found them, too.
+  ISOSTAR_SELDOM void findMembers(const Signs<D>& signs, const Values& displacements, std::size_t place) {
+    if (displacements.has(place)) {
+      const auto& own = displacements.at(place);
+      for (std::size_t block = 0; block < own.size(); ++block) members_[block] = own[block] != Values::kNone;
+      return;
+    }
+    members_.fill(false);
+    tube_.enter(signs, place, Members::AxisEnds);
+    tube_.forEach(true, [&](int, std::size_t r, int x) { members_[Values::block(r, x)] = true; });
+  }
+
+  /// The next cube of a brick, by the block at its lower corner.
+  static bool next(Coordinates<D>& first, int side) {
+    for (int a = 0; a < D; ++a) {
+      first[a] += side;
+      if (first[a] < Values::kSide) return true;
+      first[a] = 0;
+    }
+    return false;
+  }
+
+  template <class Visit>
+  void forMembers(const Coordinates<D>& first, int side, Visit visit) const {
+    Coordinates<D> last = first;
+    for (int a = 0; a < D; ++a) last[a] += side - 1;
+    forEachBetween<D>(first, last, [&](const Coordinates<D>& v) {
+      const std::size_t block = Values::blockAt(v);
+      if (members_[block]) visit(block);
+    });
+  }
+
+  /// How those beside a cube differ from it: below it, where all has been told, and all around, then the same of a block's
+  /// neighbours along one axis or two; how many there are below; and how much of the cube the surface takes.
+  struct Context {
+    std::size_t below, around, wideBelow, wideAround, trust, wideTrust, share;
+  };
+  /// Differences, summed up.
+  struct Differences {
+    int sum = 0, count = 0;
+
+    void add(int8_t value, int own, int weight = 1) {
+      weight = value == Values::kNone ? 0 : weight;  // without a branch, which nobody could predict
+      sum += weight * (value - own);
+      count += weight;
+    }
+    [[nodiscard]] Differences with(const Differences& other) const { return {sum + other.sum, count + other.count}; }
+    /// Their mean as a context, one of `most`, which reach two steps up and down.
+    [[nodiscard]] std::size_t mean(int step, int most) const {
+      const int half = most / 2, unit = std::max(count, 1) * step;
+      const int rounded = (std::abs(sum) * half + unit) / (2 * unit);
+      return static_cast<std::size_t>(std::clamp(sum < 0 ? -rounded : rounded, -half, half) + half);
+    }
+  };
+
+  template <class Exchange>
+  ISOSTAR_SELDOM void cube(Exchange& ask, typename Values::Brick& own, std::size_t place, const Coordinates<D>& first, int side, int step) {
+    const std::size_t corner = Values::blockAt(first);
+    int members = 0, sum = 0;
+    forMembers(first, side, [&](std::size_t block) {
+      ++members;
+      sum += own[block] == Values::kNone ? 0 : own[block];
+    });
+    if (members == 0) return;
+    const int difference = tell(ask, context(corner, side, step, sum / members, members), ask.displacement(place, corner)) * step;
+    forMembers(first, side, [&](std::size_t block) { move(own, block, difference); });
+  }
+
+  void move(typename Values::Brick& own, std::size_t block, int units) {
+    Values::move(own[block], units);
+    window_.value[static_cast<std::size_t>(DisplacementWindow<D>::index(block))] = own[block];
+  }
+
+  [[nodiscard]] Context context(std::size_t corner, int side, int step, int own, int members) const {
+    const int8_t* here = &window_.value[static_cast<std::size_t>(DisplacementWindow<D>::index(corner))];
+    Differences below, above;
+    for (int a = 0; a < D; ++a) {
+      below.add(here[-DisplacementWindow<D>::stride(a)], own);
+      above.add(here[side * DisplacementWindow<D>::stride(a)], own);
+    }
+    Differences wideBelow = below, wideAbove = above;
+    if (side == 1) {
+      wideBelow = wideAbove = {};
+      for (const Neighbour& n : kAbove) {
+        wideBelow.add(here[-n.offset], own, n.weight);
+        wideAbove.add(here[n.offset], own, n.weight);
+      }
+    }
+    return {below.mean(step, kMeans), below.with(above).mean(step, kWideMeans), wideBelow.mean(step, kWideMeans), wideBelow.with(wideAbove).mean(step, kWideMeans),
+            static_cast<std::size_t>(std::min(below.count, kTrusts - 1)), static_cast<std::size_t>(std::min(wideBelow.count / 2, kWideTrusts - 1)),
+            static_cast<std::size_t>(std::min((members - 1) / 2, kShares - 1))};
+  }
+
+  /// A block's neighbour one step away on one axis or two, above it in a window; as far below there is one of the same weight.
+  struct Neighbour {
+    int16_t offset, weight;
+  };
+  static constexpr auto kAbove = [] {
+    std::array<Neighbour, D * D> neighbours{};
+    std::size_t count = 0;
+    for (int a = 0; a < D; ++a) {
+      const int along = DisplacementWindow<D>::stride(a);
+      neighbours[count++] = {static_cast<int16_t>(along), 2};
+      for (int b = 0; b < a; ++b) {
+        for (const int side : {-1, 1}) neighbours[count++] = {static_cast<int16_t>(along + side * DisplacementWindow<D>::stride(b)), 1};
+      }
+    }
+    return neighbours;
+  }();
+
+  template <class Exchange>
+  int tell(Exchange& ask, const Context& c, int truth) {
+    const auto decide = [&](std::size_t decision, bool value) {
+      return Mixer<kInputs>::template bit<255, 11>(
+          ask.coder(), value,
+          {&byBelow_[((decision * kMeans + c.below) * kTrusts + c.trust) * kShares + c.share], &byAround_[(decision * kWideMeans + c.around) * kTrusts + c.trust],
+           &byBoth_[(decision * kMeans + c.below) * kWideMeans + c.around],
+           &byWide_[((decision * kWideMeans + c.wideBelow) * kWideTrusts + c.wideTrust) * kWideMeans + c.wideAround]},
+          weights_[decision]);
+    };
+    if (!decide(0, truth != 0)) return 0;
+    const bool negative = decide(1, truth < 0);
+    int size = 1;
+    while (size < kMost && decide(static_cast<std::size_t>(size) + 1, std::abs(truth) > size)) ++size;
+    return negative ? -size : size;
+  }
+
+  Tube<D> tube_;
+  DisplacementWindow<D> window_;
+  std::array<bool, Values::kBlocks> members_{};
+  std::array<Chance, kDecisions * kMeans * kTrusts * kShares> byBelow_;
+  std::array<Chance, kDecisions * kWideMeans * kTrusts> byAround_;
+  std::array<Chance, kDecisions * kMeans * kWideMeans> byBoth_;
+  std::array<Chance, kDecisions * kWideMeans * kWideTrusts * kWideMeans> byWide_;
+  std::array<typename Mixer<kInputs>::Weights, kDecisions> weights_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,144 @@
+// Where the domain ends near the surface (§2): the distance to its boundary at the tube's vertices, as far as it is needed.
+#pragma once
+
+#include "coding/exchange/exchange.h"
+#include "scalars/scalar_window.h"
+#include "util/cold_path.h"
+#include "grid/tube.h"
+
+namespace isostar {
+
+/// Distances count quanta, are positive inside, and lie within [-reach, reach). Of a vertex they are kept as 2 n + 1, which
+/// is the middle of [n, n + 1) in half quanta and never 0. First the side of each vertex is told; then the distance of those that
+/// have a neighbour on the other side, so that all cells that the boundary crosses have them; all others stay at ±reach.
+template <int D>
+class DomainCoder {
+ public:
+  explicit DomainCoder(int32_t reach) : reach_(reach) {}
+
+  /// `diagonals`: also at vertices that only `tetrahedra` needs.
+  template <class Exchange>
+  ISOSTAR_SELDOM void tell(Exchange& ask, const Signs<D>& signs, const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
+    for (const bool sides : {true, false}) {
+      for (std::size_t place = 0; place < active.size() && !ask.spent(domain.memory()); ++place) {
+        if (active[place] == 0) continue;
+        tube_.enter(signs, place, Members::AxisEnds);
+        if (diagonals) tube_.addDiagonalEnds(signs);
+        if (!tube_.empty()) brick(ask, place, sides, domain);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kSums = 33, kTrusts = 4, kSteps = 24;
+  static constexpr std::size_t kAcross = power(3, D);
+
+  struct Guess {
+    int32_t distance;  // quanta, on the vertex's own side
+    std::size_t trust;
+  };
+  /// Neighbours of a vertex: offsets in a ScalarWindow and weights; first those along the axes, a and a + D opposite to each other.
+  struct Neighbour {
+    int offset, weight;
+  };
+  static constexpr std::array<Neighbour, kAcross> kNeighbours = [] {
+    std::array<Neighbour, kAcross> all{};
+    std::size_t count = 2 * D;
+    std::array<int, D> d{};
+    d.fill(-1);
+    for (std::size_t n = 0; n < kAcross; ++n) {
+      Neighbour neighbour{0, 8};
+      std::size_t first = 0;
+      for (int a = 0; a < D; ++a) {
+        neighbour.offset += d[a] * ScalarWindow<D>::stride(a);
+        if (d[a] != 0) {
+          neighbour.weight /= 2;
+          first = static_cast<std::size_t>(d[a] < 0 ? a : a + D);
+        }
+      }
+      if (neighbour.weight == 8) neighbour.weight = 0;  // the vertex itself
+      all[neighbour.weight == 4 ? first : count++] = neighbour;
+      for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+    }
+    return all;
+  }();
+
+  [[nodiscard]] int32_t far() const { return 2 * reach_ - 1; }
+  [[nodiscard]] bool told(int32_t value) const { return value != Scalars<D>::kUnknown && std::abs(value) < far(); }
+
+  template <class Exchange>
+  ISOSTAR_SELDOM void brick(Exchange& ask, std::size_t place, bool sides, Scalars<D>& domain) {
+    auto& brick = domain.writable(place);
+    window_.load(domain, tube_.table(), tube_.at());
+    tube_.forEach([&](int, std::size_t r, int x) {
+      int32_t& value = window_.value[static_cast<std::size_t>(ScalarWindow<D>::index(r, x))];
+      value = tell(ask, &value, sides, ask.domain(place, r, x));
+      brick.value[r * kBrickSide + static_cast<std::size_t>(x)] = value;
+    });
+  }
+
+  /// What is known of a vertex, once its side has been told in context of its neighbours', or its distance where they are not all on
+  /// one side.
+  template <class Exchange>
+  [[gnu::noinline]] ISOSTAR_SELDOM int32_t tell(Exchange& ask, const int32_t* here, bool side, int32_t truth) {
+    int sum = 0;
+    bool both = false;
+    for (const Neighbour& n : kNeighbours) {
+      const int32_t value = here[n.offset];
+      if (value == Scalars<D>::kUnknown) continue;
+      sum += value >= 0 ? n.weight : -n.weight;
+      both = both || (value ^ *here) < 0;
+    }
+    if (!side) return both ? tellDistance(ask, here, truth) : *here;
+    last_ = bit(ask, sides_[last_ ? 1 : 0][static_cast<std::size_t>(std::clamp(sum, -16, 16) + 16)], truth >= 0);
+    return last_ ? far() : -far();
+  }
+
+  /// A distance is nearly linear: the mean of what parallelograms with three neighbours say, else of the neighbours.
+  [[nodiscard]] ISOSTAR_SELDOM Guess guess(const int32_t* here) const {
+    int32_t sum = 0, count = 0, near = 0, nearCount = 0;
+    for (std::size_t a = 0; a < 2 * D; ++a) {
+      const int32_t* const first = here + kNeighbours[a].offset;
+      if (!told(*first)) continue;
+      near += *first;
+      ++nearCount;
+      for (std::size_t b = 0; b < a; ++b) {
+        const int other = kNeighbours[b].offset;
+        if (b + D == a || !told(here[other]) || !told(first[other])) continue;
+        sum += *first + here[other] - first[other];
+        ++count;
+      }
+    }
+    const int32_t mean = count > 0 ? sum / count : nearCount > 0 ? near / nearCount : 0;
+    return {std::clamp((*here >= 0 ? mean : -mean) >> 1, 0, reach_ - 1), static_cast<std::size_t>(count > 0 ? std::min(count, 2) + 1 : std::min(nearCount, 1))};
+  }
+
+  /// As steps from the guess, one way or the other.
+  template <class Exchange>
+  ISOSTAR_SELDOM int32_t tellDistance(Exchange& ask, const int32_t* here, int32_t truth) {
+    const bool inside = *here >= 0;
+    const auto [guess, trust] = this->guess(here);
+    const int32_t difference = (inside ? truth : -1 - truth) - guess;
+    const bool less = guess > 0 && bit(ask, less_[trust], difference < 0);
+    const int32_t wanted = less ? -difference : difference, most = less ? guess : reach_ - 1 - guess;
+    int32_t steps = less ? 1 : 0;
+    while (steps < most && bit(ask, more_[trust][std::min<std::size_t>(static_cast<std::size_t>(steps), kSteps - 1)], wanted > steps)) ++steps;
+    const int32_t told = less ? guess - steps : guess + steps;
+    return inside ? 2 * told + 1 : -2 * told - 1;
+  }
+
+  template <class Exchange>
+  ISOSTAR_SELDOM static bool bit(Exchange& ask, Chance& chance, bool truth) {
+    return chance.bit(ask.coder(), truth);
+  }
+
+  Tube<D> tube_;
+  ScalarWindow<D> window_;
+  const int32_t reach_;
+  bool last_ = true;
+  std::array<std::array<Chance, kSums>, 2> sides_;
+  std::array<Chance, kTrusts> less_;
+  std::array<std::array<Chance, kSteps>, kTrusts> more_;
+};
+
+}  // namespace isostar

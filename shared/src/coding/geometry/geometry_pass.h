@@ -1,0 +1,78 @@
+// What a geometry layer is to do: the fields at its beginning.
+#pragma once
+
+#include "scalars/displacements.h"
+#include "coding/geometry/magnitude_coder.h"
+#include "util/cold_path.h"
+#include "container/stream.h"
+
+namespace isostar {
+
+/// A pass over displacements or scalars, decided by the encoder.
+template <int D>
+struct GeometryPass {
+  using Allowed = typename HalvingCoder<D>::Allowed;
+
+  LayerKind kind = LayerKind::Octaves;
+  Members members = Members::AxisEnds;
+  int depth = 3;           // Octaves: of the floor below the gradient
+  Allowed allowed{};       // Halving
+  int most = 1;            // Halving: of one interval
+  bool selective = false;  // Halving: only in bricks that are told
+  DisplacementPass displacement{};   // Displacement
+
+  /// As HalvingCoder takes it; `fitted` holds for a whole stream.
+  [[nodiscard]] typename HalvingCoder<D>::Pass halving(bool fitted) const { return {members, allowed, most, selective, fitted}; }
+
+  void write(ByteWriter& out) const {
+    if (kind == LayerKind::Displacement) {
+      out.u8(static_cast<uint64_t>(displacement.log2Side) | static_cast<uint64_t>(displacement.step) << 2);
+      return;
+    }
+    if (kind == LayerKind::Octaves) {
+      out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(depth) << 1);
+      return;
+    }
+    out.u8(static_cast<uint64_t>(members) | (selective ? 2u : 0u) | static_cast<uint64_t>(most) << 2);
+    // The same on all axes, and no diagonals: one number tells all.
+    const bool even = allowed == alike(allowed[1]);
+    out.varint(uint64_t{allowed[1]} << 1 | (even ? 1u : 0u));
+    for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) out.varint(allowed[axes]);
+  }
+  /// False where a field is out of its range.
+  [[nodiscard]] ISOSTAR_SELDOM bool read(ByteReader& in) {
+    const uint32_t first = in.u8();
+    if (kind == LayerKind::Displacement) {
+      displacement = {static_cast<int>(first & 3), static_cast<int>(first >> 2)};
+      return in.overrun() || (displacement.log2Side > 0 && displacement.step > 0);
+    }
+    members = static_cast<Members>(first & 1);
+    if (kind == LayerKind::Octaves) {
+      depth = static_cast<int>(first >> 1);
+      return depth <= 32;
+    }
+    selective = (first & 2) != 0;
+    most = static_cast<int>(first >> 2);
+    uint64_t v = in.varint();
+    const bool even = (v & 1) != 0;
+    v >>= 1;
+    bool sane = most <= 32 && v <= kMostAllowed;
+    allowed = alike(static_cast<uint32_t>(v));
+    for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) {
+      v = in.varint();
+      sane = sane && v <= kMostAllowed;
+      allowed[axes] = static_cast<uint32_t>(v);
+    }
+    return sane && !in.malformed();
+  }
+
+ private:
+  static constexpr uint64_t kMostAllowed = 1u << 20;
+  static Allowed alike(uint32_t onAxes) {
+    Allowed allowed{};
+    for (int a = 0; a < D; ++a) allowed[std::size_t{1} << a] = onAxes;
+    return allowed;
+  }
+};
+
+}  // namespace isostar

@@ -1,0 +1,119 @@
+// The further passes of the final geometry (§5.3): intervals are halved while they move the surface.
+#pragma once
+
+#include <bit>
+#include <optional>
+
+#include "coding/exchange/exchange.h"
+#include "estimate/far_ends.h"
+#include "coding/geometry/fit_coder.h"
+#include "estimate/interpolation.h"
+#include "grid/tube.h"
+
+namespace isostar {
+
+/// Halves the intervals of those vertices that still move a vertex of the surface by more than the pass allows, as both
+/// sides can see.
+template <int D>
+class HalvingCoder {
+ public:
+  HalvingCoder() : chances_(kContexts) {}
+
+  using Allowed = typename FarEnds<D>::Allowed;
+
+  /// What a pass does: at most `most` halvings of an interval; a selective one first tells of each brick whether it
+  /// takes part; a fitted one tells halves by FitCoder.
+  struct Pass {
+    Members members = Members::AxisEnds;
+    Allowed allowed{};
+    int most = 1;
+    bool selective = false;
+    bool fitted = false;
+  };
+
+  template <class Exchange>
+  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
+    if (pass.fitted && !fit_) fit_.emplace();
+    for (std::size_t place = 0; place < active.size() && !ask.spent(); ++place) {
+      if (active[place] == 0 || !scalars.has(place)) continue;
+      if (pass.selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
+      gradient_ = scalars.gradient(place);
+      farEnds_.setGradient(gradient_);
+      window_.load(scalars, signs.table(), signs.table().brick(place));
+      if (pass.fitted) fit_->enter(window_, gradient_);
+      auto& brick = scalars.writable(place);
+      brick.members[static_cast<std::size_t>(pass.members)].forEach([&](std::size_t r, int x) {
+        if (!ask.spent()) vertex(ask, brick, place, r, x, pass);
+      });
+    }
+  }
+
+ private:
+  /// As Scalars keep it, without the sign.
+  struct Interval {
+    uint32_t middle;
+    int width;
+  };
+  static constexpr int kRatios = 32;
+  static constexpr std::size_t kContexts = 8 * 4 * kRatios;
+
+  template <class Exchange>
+  void vertex(Exchange& ask, typename Scalars<D>::Brick& brick, std::size_t place, std::size_t r, int x, const Pass& pass) {
+    const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+    if (!brick.knows(v)) return;
+    const bool positive = brick.value[v] > 0;
+    Interval interval{brick.middle(v), brick.width(v)};
+    farEnds_.find(window_, r, x, positive, pass.allowed);
+    if (!moves(interval, pass.selective)) return;
+    const auto guess = Interpolation<D>::of(window_, r, x, positive);
+    if (pass.fitted) fit_->find(r, x, positive);
+    const auto neighbour = [&](int axis, bool ahead) { return window_.value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))]; };
+    auto aim = ask.aim(place, r, x, neighbour, pass.allowed);
+    aim.choose(interval.middle, uint32_t{1} << interval.width, [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
+    for (int told = 0; told < pass.most && moves(interval, pass.selective); ++told) halve(ask, interval, guess, aim, pass);
+    const auto middle = static_cast<int32_t>(interval.middle);
+    window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
+    if (pass.fitted) fit_->tell(r, x, brick.value[v]);
+  }
+
+  [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
+    return interval.width > 0 && farEnds_.move(interval.middle, uint32_t{1} << interval.width, selective);
+  }
+
+  /// The middle of the interval that halving ends with for a magnitude: only an encoder can look ahead.
+  [[nodiscard]] uint32_t settled(Interval interval, uint32_t magnitude, bool selective) const {
+    while (moves(interval, selective)) {
+      const uint32_t half = uint32_t{1} << --interval.width;
+      interval.middle += 2 * uint64_t{magnitude} >= interval.middle ? half : -half;
+    }
+    return interval.middle;
+  }
+
+  template <class Exchange, class Aim>
+  void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, Aim& aim, const Pass& pass) {
+    const Interval whole = interval;
+    const int width = --interval.width;
+    // Where the guess lies in the interval, in sixteenths; it may lie outside.
+    const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
+    const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
+    const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - width, 0, 7));
+    Chance& chance = chances_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
+    const bool upper = aim.persuade(
+        ask.coder(), whole.middle, [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
+        [&](auto& coder) {
+          const bool isUpper = aim.upper(whole.middle);
+          return pass.fitted ? fit_->upper(coder, isUpper, whole.middle, width, fineness, chance) : chance.bit(coder, isUpper);
+        });
+    const uint32_t half = uint32_t{1} << width;
+    interval.middle += upper ? half : -half;
+  }
+
+  ScalarWindow<D> window_;
+  int gradient_ = 0;     // of the brick in work
+  FarEnds<D> farEnds_;   // of the vertex in work
+  Chance selectModel_;
+  std::vector<Chance> chances_;
+  std::optional<FitCoder<D>> fit_;  // where a pass is fitted
+};
+
+}  // namespace isostar

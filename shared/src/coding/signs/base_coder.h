@@ -1,0 +1,150 @@
+// The base surface (§5.1, uniform): each component is localized, then the tube is followed through its gates, depth first.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coding/exchange/exchange.h"
+#include "util/cold_path.h"
+#include "grid/simplex.h"
+
+namespace isostar {
+
+/// Tells the signs of the coarsest octave. The sign of a vertex of the tube is told once, when the traversal first meets
+/// it; all others are deduced, since they lie on one side of the tube.
+template <int D>
+class BaseCoder {
+ public:
+  template <class Exchange>
+  ISOSTAR_SELDOM void tell(Exchange& ask, Signs<D>& signs) {
+    const auto& lattice = signs.lattice();
+    known_.assign(lattice.vertices(), kUnknown);
+    visited_.assign(Simplex<D>::count(lattice), false);
+    bool any = false;
+    std::optional<Simplex<D>> seed = ask.nextSeed(lattice, visited_);
+    while (!visited_.empty() && !ask.spent() && another_.bit(ask.coder(), seed.has_value())) {
+      any = true;
+      component(ask, lattice, localize(ask, lattice, seed.value_or(Simplex<D>{})));
+      seed = ask.nextSeed(lattice, visited_);
+    }
+    if (!any) known_[0] = mark(uniform_.bit(ask.coder(), ask.positive(Coordinates<D>{})));
+    deduce(lattice);
+    write(signs);
+  }
+
+ private:
+  enum : uint8_t { kUnknown, kNegative, kPositive };
+  static uint8_t mark(bool positive) { return positive ? kPositive : kNegative; }
+
+  static std::size_t index(const Lattice<D>& lattice, const Coordinates<D>& v) {
+    std::size_t at = 0;
+    for (int a = D - 1; a >= 0; --a) at = at * static_cast<std::size_t>(lattice.last[a] + 1) + static_cast<std::size_t>(v[a]);
+    return at;
+  }
+
+  /// The hierarchy is a binary partition of space: one Left/Right decision halves the box across its longest side, until a
+  /// cell is left; then the simplex in it. A side that is empty is no decision.
+  template <class Exchange>
+  Simplex<D> localize(Exchange& ask, const Lattice<D>& lattice, const Simplex<D>& truth) {
+    Coordinates<D> low{}, high = lattice.last;  // cells low … high - 1
+    const auto cell = truth.cell();
+    for (;;) {
+      int longest = 0;
+      for (int a = 1; a < D; ++a) {
+        if (high[a] - low[a] > high[longest] - low[longest]) longest = a;
+      }
+      if (high[longest] - low[longest] <= 1) break;
+      const int32_t middle = low[longest] + (high[longest] - low[longest]) / 2;
+      (side_.bit(ask.coder(), cell[longest] >= middle) ? low : high)[longest] = middle;
+    }
+    uint32_t first = 0, count = Simplex<D>::perCell();
+    const uint32_t rank = truth.rank();
+    while (count > 1) {
+      const uint32_t half = count / 2;
+      const bool right = side_.bit(ask.coder(), rank >= first + half);
+      first += right ? half : 0;
+      count = right ? count - half : half;
+    }
+    return Simplex<D>::inCell(low, first);
+  }
+
+  template <class Exchange>
+  void component(Exchange& ask, const Lattice<D>& lattice, const Simplex<D>& seed) {
+    for (int i = 0; i <= D; ++i) settle(ask, lattice, seed.vertex(i), seedModel_);
+    visited_[seed.index(lattice)] = true;
+    stack_.assign(1, seed);
+    while (!stack_.empty() && !ask.spent()) {
+      if (!step(ask, lattice, stack_.back())) stack_.pop_back();
+    }
+  }
+
+  /// Goes on through the first valid gate: a crossing face that leads to a simplex not yet visited.
+  template <class Exchange>
+  bool step(Exchange& ask, const Lattice<D>& lattice, const Simplex<D> from) {
+    std::array<bool, D + 1> positive;
+    int positives = 0;
+    for (int i = 0; i <= D; ++i) {
+      positive[i] = known_[index(lattice, from.vertex(i))] == kPositive;
+      positives += positive[i];
+    }
+    for (int i = 0; i <= D; ++i) {
+      const int inGate = positives - positive[i];
+      if (inGate == 0 || inGate == D) continue;
+      const auto next = from.across(i, lattice);
+      if (!next || visited_[next->index(lattice)]) continue;
+      visited_[next->index(lattice)] = true;
+      settle(ask, lattice, next->vertex(i), gateModel_[static_cast<std::size_t>(inGate)][positive[i]]);
+      stack_.push_back(*next);
+      return true;
+    }
+    return false;
+  }
+
+  template <class Exchange>
+  void settle(Exchange& ask, const Lattice<D>& lattice, const Coordinates<D>& v, Chance& model) {
+    uint8_t& known = known_[index(lattice, v)];
+    if (known == kUnknown) known = mark(model.bit(ask.coder(), ask.positive(v)));
+  }
+
+  /// A vertex outside the tube has the sign of its neighbours.
+  void deduce(const Lattice<D>& lattice) {
+    std::vector<Coordinates<D>> front;
+    forVertices(lattice, [&](const Coordinates<D>& v) {
+      if (known_[index(lattice, v)] != kUnknown) front.push_back(v);
+    });
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      const uint8_t sign = known_[index(lattice, front[i])];
+      for (int a = 0; a < D; ++a) {
+        for (int32_t side = -1; side <= 1; side += 2) {
+          Coordinates<D> next = front[i];
+          next[a] += side;
+          if (next[a] < 0 || next[a] > lattice.last[a] || known_[index(lattice, next)] != kUnknown) continue;
+          known_[index(lattice, next)] = sign;
+          front.push_back(next);
+        }
+      }
+    }
+  }
+
+  void write(Signs<D>& signs) {
+    forVertices(signs.lattice(), [&](const Coordinates<D>& v) { signs.set(v, known_[index(signs.lattice(), v)] == kPositive); });
+  }
+
+  template <class Visit>
+  static void forVertices(const Lattice<D>& lattice, Visit visit) {
+    for (Coordinates<D> v{};;) {
+      visit(v);
+      int a = 0;
+      for (; a < D && ++v[a] > lattice.last[a]; ++a) v[a] = 0;
+      if (a == D) return;
+    }
+  }
+
+  std::vector<uint8_t> known_;
+  std::vector<bool> visited_;
+  std::vector<Simplex<D>> stack_;
+  Chance another_, uniform_, side_, seedModel_;
+  std::array<std::array<Chance, 2>, D + 1> gateModel_;
+};
+
+}  // namespace isostar

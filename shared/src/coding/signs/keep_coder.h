@@ -1,0 +1,40 @@
+// Keep or Refine (§5.1, §5.2): which crossing cells of an adaptive octave stay whole.
+#pragma once
+
+#include "coding/exchange/exchange.h"
+#include "grid/new_vertex_rows.h"
+
+namespace isostar {
+
+/// A cell stays whole if its centre is absent: told of each centre whose diamond has both signs, in context of how many
+/// centres around are absent.
+template <int D>
+class WholeCellCoder {
+ public:
+  /// Of the brick that has been entered, in the class of centres.
+  template <class Exchange>
+  void tell(Exchange& ask, std::size_t place, FreshRows<D>& rows) {
+    for (int i = 0; i < rows.openCount(); ++i) {
+      auto& row = rows.open(i);
+      const auto& n = neighbourhoods_[row.fresh];
+      const uint32_t truth = ask.keptRow(place, row.brick);
+      uint16_t& absent = *rows.absent(row);
+      for (uint32_t open = row.open; open != 0; open &= open - 1) {
+        const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
+        const auto packs = RowPacks<D>::around(&absent);
+        const unsigned siblings = packs.count(n.siblingMask, at), far = packs.count(n.outerMask, at);
+        Chance& chance = chances_[std::min(siblings, 7u) * 4 + (far == 0 ? 0 : far < 4 ? 1 : far < 12 ? 2 : 3)];
+        if (!chance.bit(ask.coder(), (truth >> x & 1) != 0)) continue;
+        absent = static_cast<uint16_t>(absent | 1u << at);
+        row.absent = static_cast<uint8_t>(row.absent | 1u << x);
+      }
+      row.open = static_cast<uint8_t>(row.open & ~row.absent);
+    }
+  }
+
+ private:
+  const typename Neighbourhood<D>::All& neighbourhoods_ = Neighbourhood<D>::all();
+  std::array<Chance, 32> chances_;
+};
+
+}  // namespace isostar

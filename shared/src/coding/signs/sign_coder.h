@@ -1,0 +1,101 @@
+// The signs of fresh vertices whose diamond has both (§5.2), told in context of the signs around.
+#pragma once
+
+#include "coding/exchange/exchange.h"
+#include "grid/new_vertex_rows.h"
+#include "util/cold_path.h"
+
+namespace isostar {
+
+/// Three contexts and an estimate are mixed: the diamond as it is, counts of its signs, counts of those further away, and what
+/// each neighbour's sign says by a weight of its own.
+template <int D>
+class SignCoder {
+ public:
+  using Row = typename FreshRows<D>::Row;
+  using Bits = typename FreshRows<D>::Bits;
+
+  ISOSTAR_SELDOM SignCoder() {
+    uint32_t near = 0, counted = 0;
+    for (unsigned set = 1; set < kSets; ++set) {
+      const auto& n = neighbourhoods_[set];
+      const unsigned first = (1u << std::popcount(set)) - 1;  // of those with as many axes, which share all but near_
+      const int diamondBits = std::min(n.diamondCount(), Nearby::kDiamondBits), siblings = std::min(kSiblings, kMostNearBits - diamondBits);
+      tables_[set] = {near, set == first ? counted : tables_[first].counted, siblings};
+      near += 1u << (diamondBits + siblings);
+      if (set == first) counted += static_cast<uint32_t>((n.cornerCount + 1) * (n.acrossCount + 1));
+    }
+    near_.resize(near);
+    counts_.resize(counted << kSiblings);
+    wide_.resize(counted << kWideBits);
+    weights_.resize(counted, Mixer<kInputs>::freshWithEstimate());
+  }
+
+  /// The open vertices of the brick that has been entered. How many were there?
+  template <class Exchange>
+  int tell(Exchange& ask, std::size_t place, FreshRows<D>& rows) {
+    int told = 0;
+    for (int i = 0; i < rows.openCount(); ++i) told += tellRow(ask, place, rows, rows.open(i));
+    return told;
+  }
+
+ private:
+  static constexpr int kInputs = 3;
+  static constexpr int kMostNearBits = 14, kSiblings = 7, kWideBits = 8;
+  static constexpr unsigned kSets = 1u << D;
+  using Nearby = Neighbourhood<D>;
+
+  template <class Exchange>
+  int tellRow(Exchange& ask, std::size_t place, FreshRows<D>& rows, const Row& row) {
+    int told = 0;
+    const Bits truth = ask.row(place, row.brick);
+    uint16_t& signs = *rows.signs(row);
+    packs_ = RowPacks<D>::around(&signs);
+    const uint16_t before = signs;
+    for (Bits open = row.open; open != 0; open &= open - 1, ++told) {
+      const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
+      // Without a branch, which nobody could predict.
+      const unsigned turned = (static_cast<unsigned>(signs) >> at & 1) ^ (tellSign(ask, &signs, row.fresh, at, (truth >> x & 1) != 0) ? 1u : 0u);
+      signs = static_cast<uint16_t>(signs ^ turned << at);
+      packs_.flip(turned, at);
+    }
+    rows.setChanged(signs != before);
+    return told;
+  }
+
+  /// Of bit `at` of a row in a Window; packs_ are the rows around it.
+  template <class Exchange>
+  bool tellSign(Exchange& ask, const uint16_t* here, unsigned fresh, int at, bool truth) {
+    const auto& n = neighbourhoods_[fresh];
+    auto gather = [&](const Step* steps, int count) {
+      unsigned bits = 0;
+      for (int i = 0; i < count; ++i) bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
+      return bits;
+    };
+    const auto [diamond, corners, across, nearWeight] = Nearby::unpacked(packs_.diamond(n.slices, at));
+    const unsigned first = gather(n.siblings.data(), kSiblings);
+    const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at), outer = packs_.count(n.outerMask, at);
+    const int weight = nearWeight + static_cast<int>(far) * Nearby::kFarOne + static_cast<int>(outer) * Nearby::kOuterOne;
+    const Table& table = tables_[fresh];
+    const unsigned counted = table.counted + corners * static_cast<unsigned>(n.acrossCount + 1) + across;
+    const std::array<Chance*, kInputs> contexts{&near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
+                                                &counts_[counted << kSiblings | first],
+                                                &wide_[counted << kWideBits | siblings / 2 << 5 | far / 2]};
+    // Positive weights less negative ones, in 1/256 of log-odds.
+    const int estimate = (2 * weight - n.weight) * (256 / Nearby::kOne);
+    return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[counted], estimate);
+  }
+
+  const typename Nearby::All& neighbourhoods_ = Nearby::all();
+  RowPacks<D> packs_;  // around the row in work
+  /// Where the contexts of a set of fresh axes begin in the tables.
+  struct Table {
+    uint32_t near = 0, counted = 0;
+    int siblings = 0;  // in the contexts that are near
+  };
+  std::array<Table, kSets> tables_{};
+  std::vector<Chance> near_, counts_, wide_;
+  std::vector<typename Mixer<kInputs>::Weights> weights_;
+};
+
+}  // namespace isostar

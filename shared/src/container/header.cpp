@@ -1,0 +1,111 @@
+#include "container/header.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isostar {
+namespace {
+
+/// An isovalue in steps of 1 or of kByteStep; so far away that no sample is there it stays finite.
+double stepsOf(double isovalue, double step) {
+  constexpr double kFar = 1e300;
+  return step == 1 ? isovalue : std::clamp(isovalue * 255, -kFar, kFar);
+}
+
+}  // namespace
+
+bool invertible(const Placement& p) {
+  constexpr double kFar = 1e30, kWide = 1e20, kStretched = 1e6, kFlat = 1e-6;
+  double lengths = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double length = std::hypot(p.direction[a], p.direction[a + 3], p.direction[a + 6]);
+    if (!(std::abs(p.origin[a]) < kFar) || !(p.spacing[a] > 1 / kWide && p.spacing[a] < kWide)) return false;
+    if (!(length > 1 / kStretched && length < kStretched)) return false;
+    lengths *= length;
+  }
+  const auto& d = p.direction;
+  const double determinant =
+      d[0] * (d[4] * d[8] - d[5] * d[7]) - d[1] * (d[3] * d[8] - d[5] * d[6]) + d[2] * (d[3] * d[7] - d[4] * d[6]);
+  return std::abs(determinant) > kFlat * lengths;
+}
+
+int Header::octaves() const {
+  int32_t cells = 0;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) cells = std::max(cells, size[a] - 1);
+  int octaves = 0;
+  while (cells > int64_t{kMostBaseCells} << octaves) ++octaves;
+  return octaves;
+}
+
+int32_t Header::domainFineness() const {
+  constexpr int32_t kCoarsest = 2, kFinest = 32;
+  if (lossless) return kFinest;
+  int32_t steps = kCoarsest;
+  while (steps < kFinest && steps * maxError < 1) steps *= 2;
+  return steps;
+}
+
+int32_t Header::domainReach() const {
+  constexpr double kFarthest = 32;  // grid steps; a cell longer than that is cut where it may
+  const auto& s = placement.spacing;
+  const double diagonal = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / std::min({s[0], s[1], s[2]});
+  return static_cast<int32_t>(std::ceil(std::min(diagonal, kFarthest) * domainFineness()));
+}
+
+void Header::countWhole(double step) {
+  whole = true;
+  quantum = step;
+  const double steps = stepsOf(isovalue, step), fraction = steps - std::floor(steps);
+  positiveOffset = 1 - fraction;
+  negativeOffset = fraction;
+}
+
+Header Header::at(double other) const {
+  Header seen = *this;
+  seen.isovalue = other;
+  if (whole) seen.countWhole(quantum);
+  return seen;
+}
+
+bool Header::spans(double other) const {
+  double least = isovalue, most = isovalue;
+  for (const double each : near) {
+    least = std::min(least, each);
+    most = std::max(most, each);
+  }
+  return other >= least && other <= most;
+}
+
+int32_t Header::shift(double other) const {
+  const auto steps = [&](double value) { return std::floor(stepsOf(value, quantum)); };
+  const double quanta = whole ? steps(other) - steps(isovalue) : std::round((other - isovalue) / quantum);
+  return static_cast<int32_t>(std::clamp<double>(quanta, -kFarQuanta, kFarQuanta));
+}
+
+Header headerOf(const Image& image) {
+  const auto& [x, y] = image.spacing;
+  Header h;
+  h.dimension = 2;
+  h.size = {image.size[0], image.size[1], 1, 1};
+  h.placement.origin = {image.origin[0], image.origin[1], 0};
+  h.placement.spacing = {x, y, std::min(x, y)};
+  return h;
+}
+
+Header headerOf(const Volume& volume) {
+  Header h;
+  h.dimension = 3;
+  h.size = {volume.size[0], volume.size[1], volume.size[2], 1};
+  h.placement = volume.placement;
+  return h;
+}
+
+Header headerOf(const Sequence& sequence) {
+  Header h;
+  h.dimension = 4;
+  h.size = {sequence.size[0], sequence.size[1], sequence.size[2], sequence.frames};
+  h.placement = sequence.placement;
+  return h;
+}
+
+}  // namespace isostar

@@ -1,0 +1,190 @@
+#include "container/stream.h"
+
+#include <algorithm>
+#include <cmath>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace isostar {
+namespace {
+
+/// Three letters; the fourth byte has its top bit set, as no text has, then the version and the dimension.
+constexpr std::array<uint8_t, 3> kMagic{'i', 's', 'o'};
+constexpr uint32_t kBinary = 0x80;
+constexpr std::size_t kShort = 1024;  // bytes of layers with short checksums
+enum Flag : uint32_t {
+  kLossless = 1,
+  kTetrahedra = 2,
+  kSpacing = 4,
+  kOrigin = 8,
+  kDirection = 16,
+  kWhole = 32,
+  kByteSteps = 64,
+  kAdaptive = 128,
+  kNear = 256,
+  kKeepsTopology = 512,
+  kTrimmed = 1024,
+  kFitted = 2048,
+  kKnownFlags = 4095
+};
+
+/// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
+uint32_t pack(double error) {
+  if (!(error > 0)) return 0;
+  return static_cast<uint32_t>(std::clamp(std::lround(8 * (std::log2(error) + 20)), 1L, 255L));
+}
+double unpack(uint32_t code) {
+  if (code == 0) return 0;
+  constexpr std::array<double, 8> kRoots{1, 1.0905077, 1.1892071, 1.2968396, 1.4142136, 1.5422108, 1.6817928, 1.8340081};
+  return std::ldexp(kRoots[code % 8], static_cast<int>(code / 8) - 20);
+}
+
+/// Kind and level of a layer in a byte.
+uint32_t packed(const LayerHead& head) { return static_cast<uint32_t>(head.kind) << 5 | static_cast<uint32_t>(head.level); }
+
+/// How many axes of a placement a stream tells.
+std::size_t placed(const Header& h) { return static_cast<std::size_t>(std::min(h.dimension, 3)); }
+
+template <std::size_t N>
+bool differ(const std::array<double, N>& a, const std::array<double, N>& b, std::size_t axes) {
+  return !std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(axes), b.begin());
+}
+
+}  // namespace
+
+uint32_t checksum(std::span<const std::byte> header) { return XXH32(header.data(), header.size(), 0) & 0xFFFF; }
+
+uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer) {
+  const uint32_t sum = XXH32(layer.data(), layer.size(), packed(head) << 8 | pack(head.error));
+  return layer.size() < kShort ? sum & 0xFFFF : sum;
+}
+
+void write(ByteWriter& out, const Header& h) {
+  const Placement plain;
+  const std::size_t axes = placed(h);
+  const auto& [origin, spacing, direction] = h.placement;
+  const bool turned = h.dimension > 2 && direction != plain.direction;
+  const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
+                         (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
+                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear) |
+                         (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
+  std::vector<std::byte> body;
+  ByteWriter w(body);
+  w.u8(kBinary | static_cast<uint32_t>(h.version) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
+  w.varint(flags);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) w.varint(static_cast<uint64_t>(h.size[a]));
+  w.real(h.isovalue);
+  if (!h.near.empty()) w.varint(h.near.size());
+  for (const double other : h.near) w.real(other);
+  if (!h.whole) w.zigzag(std::ilogb(h.quantum));
+  if (!h.lossless) w.real(h.maxError);
+  w.varint(h.vertices);
+  for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) w.real(spacing[a]);
+  for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) w.real(origin[a]);
+  if (turned) for (double v : direction) w.real(v);
+  w.varint(h.bytes);
+  const uint32_t sum = checksum(body);
+  for (uint8_t c : kMagic) out.u8(c);
+  for (std::byte b : body) out.u8(static_cast<uint64_t>(b));
+  out.u16(sum);
+}
+
+void write(ByteWriter& out, const LayerHead& head) {
+  out.u8(packed(head));
+  out.u8(pack(head.error));
+  out.varint(head.bytes);
+  if (head.bytes < kShort) out.u16(head.checksum);
+  else out.u32(head.checksum);
+}
+
+void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer) {
+  head.bytes = layer.size();
+  head.checksum = checksum(head, layer);
+  ByteWriter writer(out);
+  write(writer, head);
+  out.insert(out.end(), layer.begin(), layer.end());
+}
+
+Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
+  for (std::size_t i = 0; i < std::min(in.size(), kMagic.size()); ++i) {
+    if (static_cast<uint8_t>(in[i]) != kMagic[i]) return Error::NotIsostar;
+  }
+  if (in.size() <= kMagic.size()) return Error::Truncated;
+  const auto body = in.subspan(kMagic.size());
+  ByteReader r(body);
+  const uint32_t first = r.u8(), version = first >> 2 & 31;
+  if ((first & kBinary) == 0) return Error::NotIsostar;
+  if (version > kFormatVersion) return Error::UnsupportedVersion;
+  if (version == 0) return Error::Corrupt;
+  Header h;
+  h.version = static_cast<int>(version);
+  h.dimension = static_cast<int>(first & 3) + kLeastDimension;
+  if (h.dimension > kMostDimension) return Error::UnsupportedVersion;
+  const uint64_t flags = r.varint();
+  if ((flags & ~uint64_t{kKnownFlags}) != 0) return Error::UnsupportedVersion;
+  h.lossless = (flags & kLossless) != 0;
+  h.adaptive = (flags & kAdaptive) != 0;
+  h.keepsTopology = (flags & kKeepsTopology) != 0;
+  h.trimmed = (flags & kTrimmed) != 0;
+  h.fitted = (flags & kFitted) != 0;
+  h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
+  bool sane = true;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {
+    const uint64_t v = r.varint();
+    sane = sane && v >= 1 && v < (uint64_t{1} << 28);
+    h.size[a] = static_cast<int32_t>(v);
+  }
+  std::fill(h.size.begin() + h.dimension, h.size.end(), 1);
+  h.isovalue = r.real();
+  const uint64_t others = (flags & kNear) != 0 ? r.varint() : 0;
+  if (others > Header::kMostNear) return Error::Corrupt;
+  for (uint64_t i = 0; i < others; ++i) {
+    h.near.push_back(r.real());
+    sane = sane && std::isfinite(h.near.back());
+  }
+  int64_t exponent = 0;
+  if ((flags & kWhole) != 0) h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
+  else exponent = r.zigzag();
+  sane = sane && std::abs(exponent) < 1000;
+  if (!h.whole && sane) h.quantum = std::ldexp(1.0, static_cast<int>(exponent));
+  if (!h.lossless) h.maxError = r.real();
+  h.vertices = r.varint();
+  const std::size_t axes = placed(h);
+  auto& [origin, spacing, direction] = h.placement;
+  for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) spacing[a] = r.real();
+  for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) origin[a] = r.real();
+  if ((flags & kDirection) != 0) for (double& v : direction) v = r.real();
+  if (h.dimension == 2) spacing[2] = std::min(spacing[0], spacing[1]);
+  h.bytes = r.varint();
+  const std::size_t length = r.position();
+  const uint32_t expected = r.u16();
+  if (r.malformed()) return Error::Corrupt;
+  if (r.overrun()) return Error::Truncated;
+  if (expected != checksum(body.first(length))) return Error::Corrupt;
+  if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
+  if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
+  if (h.adaptive && (h.keepsTopology || !h.near.empty())) return Error::Corrupt;
+  if (h.trimmed && (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.near.empty())) return Error::Corrupt;
+  out = h;
+  used = kMagic.size() + r.position();
+  return Error::None;
+}
+
+Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, std::size_t& used) {
+  ByteReader r(in);
+  const uint32_t first = r.u8(), error = r.u8();
+  const uint64_t bytes = r.varint();
+  const uint32_t sum = bytes < kShort ? r.u16() : r.u32();
+  if (r.malformed()) return Error::Corrupt;
+  if (r.overrun()) return Error::Truncated;
+  const auto kind = static_cast<LayerKind>(first >> 5);
+  const uint32_t level = first & 31;
+  const bool numbered = level >= 1 && level <= header.near.size();
+  if (isNear(kind) ? !numbered : level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
+  out = {kind, static_cast<int>(level), unpack(error), bytes, sum};
+  used = r.position();
+  return Error::None;
+}
+
+}  // namespace isostar

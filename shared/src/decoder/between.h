@@ -1,0 +1,109 @@
+// The surface at an isovalue that has not been told, drawn from those that have (§5.4): for display only.
+#pragma once
+
+#include "coding/isovalues/further_isovalues.h"
+
+namespace isostar {
+
+/// A vertex with a known interval is where its middle is. Others keep the sign that the isovalues told on both sides
+/// share; where these differ, the mean of what is known beside the vertex decides, or else the middle between both.
+template <int D>
+class Between {
+ public:
+  /// `quanta` above the first isovalue; `offset` is that of its positive scalars (Header::positiveOffset).
+  Between(const CloseBy<D>& near, const typename CloseBy<D>::First& first, double isovalue, double quanta, double offset)
+      : scalars_(near.seenFrom(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
+    const auto neighbours = near.neighbours(first, isovalue);
+    const auto& nearest = neighbours.nearest(isovalue);
+    signs_ = *nearest.signs;
+    // An interval's middle is half a quantum below what Scalars keep: that is the offset of all of them.
+    const auto inScalars = [&](double level) { return std::clamp(std::ldexp(2 * level + 1 - 2 * offset, finer_), -kMost, kMost); };
+    zero_ = std::llround(inScalars(quanta));
+    if (neighbours.below && neighbours.above) {
+      middle_ = std::llround(std::ldexp(double(neighbours.below->level) + neighbours.above->level, finer_));
+      below_ = neighbours.below->signs;
+      above_ = neighbours.above->signs;
+    }
+    for (std::size_t place = 0; place < scalars_.places(); ++place) brick(place);
+    active_ = activeBricks(signs_);
+  }
+
+  /// Bytes that it takes at most to make it.
+  [[nodiscard]] static uint64_t memoryToMake(const CloseBy<D>& near, const typename CloseBy<D>::First& first, double isovalue) {
+    const auto neighbours = near.neighbours(first, isovalue);
+    const uint64_t places = first.signs.table().total(), seen = near.bricksSeen(first);
+    uint64_t bricks = seen;
+    for (std::size_t place = 0; neighbours.below && neighbours.above && place < places; ++place) {
+      bricks += splits(*neighbours.below->signs, *neighbours.above->signs, place) ? 1 : 0;
+    }
+    return Scalars<D>::memoryOf(places, bricks) + Scalars<D>::memoryOf(places, seen) + places +
+           Signs<D>::memoryToFill(places, neighbours.nearest(isovalue).signs->brickCount() + bricks);
+  }
+  /// Bytes in use, while one more brick is made.
+  [[nodiscard]] uint64_t memory() const { return scalars_.memory() + known_.memory() + signs_.memory() + active_.size(); }
+
+  [[nodiscard]] const Signs<D>& signs() const { return signs_; }
+  [[nodiscard]] const std::vector<uint8_t>& active() const { return active_; }
+  /// Seen from the isovalue, in 2^-finer() half quanta.
+  [[nodiscard]] Scalars<D>& scalars() { return scalars_; }
+  [[nodiscard]] int finer() const { return finer_; }
+
+ private:
+  static constexpr double kMost = 1 << 30;
+
+  /// May a brick have vertices between two isovalues?
+  static bool splits(const Signs<D>& below, const Signs<D>& above, std::size_t place) {
+    return below.index(place) != Signs<D>::kNegative && above.index(place) != Signs<D>::kPositive;
+  }
+
+  void brick(std::size_t place) {
+    const bool split = below_ != nullptr && splits(*below_, *above_, place);
+    if (!split && !known_.has(place)) return;
+    Brick<D> bits = signs_.brickAt(place);
+    const auto& told = known_.at(place);
+    if (split) window_.load(known_, signs_.table(), signs_.table().brick(place));
+    for (std::size_t r = 0; r < bits.rows.size(); ++r) {
+      const unsigned unsure = split ? below_->brickAt(place).rows[r] & ~unsigned{above_->brickAt(place).rows[r]} : 0;
+      for (int x = 0; x < kBrickSide; ++x) {
+        const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+        const bool open = (unsure >> x & 1) != 0;
+        if (!told.knows(v) && !open) continue;
+        const int64_t value = (told.knows(v) ? told.value[v] : around(r, x)) - zero_;
+        // Which side of the two isovalues told it is on, is certain.
+        const bool sure = below_ != nullptr && !open, positive = sure ? (bits.rows[r] >> x & 1) != 0 : value > 0;
+        const auto size = static_cast<int32_t>(std::clamp<int64_t>(std::abs(value), 1, INT32_MAX / 2));
+        scalars_.writable(place).value[v] = positive ? size : -size;
+        bits.rows[r] = static_cast<uint8_t>((bits.rows[r] & ~(1u << x)) | unsigned{positive} << x);
+      }
+    }
+    if (bits == signs_.brickAt(place)) return;
+    signs_.writable(place) = bits;
+  }
+
+  /// The mean of what is known next to a vertex, or else the middle between both isovalues.
+  [[nodiscard]] int64_t around(std::size_t r, int x) const {
+    const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
+    int64_t sum = 0;
+    int count = 0;
+    for (int a = 0; a < D; ++a) {
+      for (int side = -1; side <= 1; side += 2) {
+        const int32_t value = here[side * ScalarWindow<D>::stride(a)];
+        if (value == Scalars<D>::kUnknown) continue;
+        sum += value;
+        ++count;
+      }
+    }
+    return count == 0 ? middle_ : sum / count;
+  }
+
+  Scalars<D> scalars_;
+  int finer_;
+  Scalars<D> known_;  // as they were: seen from the first isovalue
+  Signs<D> signs_;
+  std::vector<uint8_t> active_;
+  int64_t zero_ = 0, middle_ = 0;
+  const Signs<D>*below_ = nullptr, *above_ = nullptr;
+  ScalarWindow<D> window_;
+};
+
+}  // namespace isostar

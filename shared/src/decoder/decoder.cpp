@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <optional>
+
+#include "isostar/isostar.h"
+#include "decoder/reconstruction.h"
+#include "util/cold_path.h"
+
+namespace isostar {
+namespace {
+
+const char* kindName(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::Base: return "base";
+    case LayerKind::Refinement:
+    case LayerKind::NearSigns: return "refinement";
+    case LayerKind::Domain: return "domain";
+    default: return "geometry";
+  }
+}
+
+StreamInfo describeHeader(const Header& h, std::size_t bytes) {
+  StreamInfo info;
+  info.version = h.version;
+  info.dimension = h.dimension;
+  std::copy_n(h.size.begin(), 3, info.size.begin());
+  info.frames = h.size[3];
+  info.placement = h.placement;
+  info.isovalues = {h.isovalue};
+  info.isovalues.insert(info.isovalues.end(), h.near.begin(), h.near.end());
+  info.polygonizer = h.polygonizer;
+  info.lossless = h.lossless;
+  info.adaptive = h.adaptive;
+  info.preservesTopology = h.keepsTopology;
+  info.effort = h.fitted ? 2 : 1;
+  info.trimmed = h.trimmed;
+  info.maxError = h.lossless ? 0 : h.maxError;
+  info.vertices = h.vertices;
+  info.headerBytes = bytes;
+  info.bytes = bytes + h.bytes;
+  return info;
+}
+
+/// A layer whose own bytes begin at `start`.
+void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes, std::size_t start) {
+  const bool near = isNear(head.kind);
+  info.headerBytes += headBytes;
+  info.layers.push_back({kindName(head.kind), near ? header.octaves() : head.level, start + head.bytes, head.bytes, head.error, near ? head.level : 0});
+}
+
+/// The head at the beginning of what is left of a stream, of which `stream` may not have arrived.
+Error readHead(std::span<const std::byte> arrived, uint64_t left, const Header& header, LayerHead& head, std::size_t& used) {
+  const Error error = read(arrived.first(std::min<uint64_t>(arrived.size(), left)), header, head, used);
+  const bool whole = arrived.size() >= left;
+  if (error == Error::Truncated && whole) return Error::Corrupt;
+  return error == Error::None && head.bytes > left - used ? Error::Corrupt : error;
+}
+
+}  // namespace
+
+Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
+  Header header;
+  std::size_t at = 0;
+  if (const Error error = read(stream, header, at); error != Error::None) return error;
+  StreamInfo info = describeHeader(header, at);
+  while (at < info.bytes && at < stream.size()) {
+    LayerHead head;
+    std::size_t used = 0;
+    const Error error = readHead(stream.subspan(at), info.bytes - at, header, head, used);
+    if (error == Error::Truncated) break;
+    if (error != Error::None) return error;
+    if (info.layers.size() == kMostLayers) return Error::Corrupt;
+    at += used;
+    addLayer(info, header, head, used, at);
+    if (head.bytes > stream.size() - at) break;
+    at += static_cast<std::size_t>(head.bytes);
+  }
+  out = std::move(info);
+  return Error::None;
+}
+
+struct Decoder::State {
+  explicit State(const Limits& l) : limits(l) {}
+
+  void feed(std::span<const std::byte> bytes);
+  bool advance();
+  bool readHeader();
+  bool decodeTorn(const LayerHead& head, std::span<const std::byte> bytes);
+  bool fail(Error e) {
+    if (error == Error::None) error = e;
+    return false;
+  }
+  /// Can a surface be made of what has come?
+  [[nodiscard]] Error shows(const MeshOptions& options) const {
+    if (!known) return Error::Truncated;
+    return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None : Error::BadArgument;
+  }
+  [[nodiscard]] bool complete() const { return header && at == info.bytes; }
+
+  Limits limits;
+  std::vector<std::byte> in;
+  std::size_t at = 0;  // what has been decoded ends here
+  bool finished = false;
+  Error error = Error::None;
+  std::optional<Header> header;
+  StreamInfo info;
+  bool tornShown = false;
+  std::unique_ptr<Reconstruction> known;
+  uint64_t shown = 0;
+  double rms = 0;
+};
+
+/// What nobody will look at is not kept.
+void Decoder::State::feed(std::span<const std::byte> bytes) {
+  if (error != Error::None || finished) return;
+  if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
+  if (bytes.size() > limits.memory - in.size()) fail(Error::OverLimit);
+  else in.insert(in.end(), bytes.begin(), bytes.end());
+}
+
+ISOSTAR_SELDOM bool Decoder::State::readHeader() {
+  Header h;
+  std::size_t used = 0;
+  const Error e = read(in, h, used);
+  if (e == Error::Truncated && !finished) return false;
+  if (e != Error::None) return fail(e);
+  uint64_t samples = 1;
+  for (const int32_t n : h.size) {
+    samples *= static_cast<uint64_t>(n);
+    if (samples > limits.samples) return fail(Error::OverLimit);
+  }
+  if (h.vertices > limits.vertices) return fail(Error::OverLimit);
+  header = h;
+  info = describeHeader(h, used);
+  in.resize(std::min<uint64_t>(in.size(), info.bytes));
+  at = used;
+  shown = used;
+  known = reconstructionOf(*header, limits);
+  return known != nullptr || fail(Error::UnsupportedVersion);
+}
+
+/// A layer without its end: what there is of it may still show.
+bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte> bytes) {
+  tornShown = true;
+  const auto [e, better] = known->decode(head, bytes, true);
+  if (better) shown = in.size();
+  fail(e == Error::None ? Error::Truncated : e);
+  return better;
+}
+
+ISOSTAR_SELDOM bool Decoder::State::advance() {
+  if (error != Error::None || tornShown) return false;
+  if (!header && !readHeader()) return false;
+  if (complete()) return false;
+  LayerHead head;
+  std::size_t used = 0;
+  const std::span<const std::byte> rest = std::span<const std::byte>(in).subspan(at);
+  const Error e = readHead(rest, info.bytes - at, *header, head, used);
+  if (e != Error::None) return e == Error::Truncated && !finished ? false : fail(e);
+  if (info.layers.size() == kMostLayers) return fail(Error::Corrupt);
+  const auto bytes = rest.subspan(used);
+  if (bytes.size() < head.bytes) return finished && decodeTorn(head, bytes);
+  const auto layer = bytes.first(static_cast<std::size_t>(head.bytes));
+  if (checksum(head, layer) != head.checksum) return fail(Error::Corrupt);
+  if (const auto outcome = known->decode(head, layer, false); outcome.error != Error::None) return fail(outcome.error);
+  at += used;
+  addLayer(info, *header, head, used, at);
+  at += static_cast<std::size_t>(head.bytes);
+  shown = at;
+  rms = head.error;
+  return true;
+}
+
+Decoder::Decoder(const Limits& limits) : state_(std::make_unique<State>(limits)) {}
+Decoder::~Decoder() = default;
+Decoder::Decoder(Decoder&&) noexcept = default;
+Decoder& Decoder::operator=(Decoder&&) noexcept = default;
+
+void Decoder::feed(std::span<const std::byte> bytes) { state_->feed(bytes); }
+void Decoder::finish() { state_->finished = true; }
+bool Decoder::advance() { return state_->advance(); }
+Error Decoder::error() const { return state_->error; }
+bool Decoder::ready() const { return state_->known != nullptr; }
+const StreamInfo& Decoder::info() const { return state_->info; }
+int Decoder::level() const { return state_->known ? state_->known->level() : -1; }
+int Decoder::levels() const { return state_->header ? state_->header->octaves() + 1 : 0; }
+uint64_t Decoder::bytes() const { return state_->shown; }
+double Decoder::rmsError() const { return state_->rms; }
+bool Decoder::complete() const { return state_->complete(); }
+
+Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
+  out = {};
+  const Error error = state_->shows(options);
+  return error == Error::None ? state_->known->show(options, out) : error;
+}
+Error Decoder::contours(const MeshOptions& options, Contours& out) const {
+  out = {};
+  const Error error = state_->shows(options);
+  return error == Error::None ? state_->known->show(options, out) : error;
+}
+
+}  // namespace isostar

@@ -1,0 +1,105 @@
+// How far the surface of an adaptive mesh lies from the source's, both ways, to first order.
+#pragma once
+
+#include <cmath>
+
+#include "coding/adaptive/adaptive_level.h"
+#include "encoder/adaptive/adaptive_plan.h"
+#include "scalars/crossings.h"
+
+namespace isostar {
+
+/// Distances in grid steps. From the source: at each of its vertices, how far the decoded field says that its surface is. From
+/// the decoded surface likewise, where the source has no vertex on the same edge.
+template <int D>
+class AdaptiveDistance {
+ public:
+  using Point = typename AdaptivePlan<D>::Point;
+
+  AdaptiveDistance(const AdaptivePlan<D>& plan, const GridField<D>& field, const AdaptiveOctave<D>& decoded)
+      : plan_(plan), field_(field), decoded_(decoded), table_(decoded.signs.table()) {}
+
+  /// Calls visit(point in samples, distance) for the vertices of the source's surface, each `stride`th.
+  template <class Visit>
+  void fromSource(std::size_t stride, Visit visit) const {
+    for (std::size_t i = 0; i < plan_.crossings().size(); i += stride) {
+      const auto& c = plan_.crossings()[i];
+      Coordinates<D> to = c.from;
+      ++to[c.axis];
+      const double low = value(c.from), high = value(to);
+      if (low != 0 && high != 0 && (low > 0) != (high > 0)) {
+        visit(c.position, std::abs((low / (low - high) - c.at) * plan_.unit()[static_cast<std::size_t>(c.axis)] * c.normal[static_cast<std::size_t>(c.axis)]));
+      } else {
+        visit(c.position, offset(c.from, c.axis, c.at, [&](const Coordinates<D>& v) { return value(v); }));
+      }
+    }
+  }
+
+  /// The same for those vertices of the decoded surface that lie where the source has none.
+  template <class Visit>
+  void fromDecoded(Visit visit) const {
+    forCrossedRows(decoded_.signs, decoded_.active, false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+      for (; crossed != 0; crossed &= crossed - 1) {
+        const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+        if ((field_.scalar(ends.even) > 0) != (field_.scalar(ends.odd) > 0)) continue;
+        const int axis = std::countr_zero(axes);
+        Coordinates<D> from = ends.even, to = ends.odd;
+        if (to[axis] < from[axis]) std::swap(from, to);
+        const double low = value(from), high = value(to), at = low != 0 && high != 0 ? low / (low - high) : 0.5;
+        Point p;
+        for (int a = 0; a < D; ++a) p[a] = from[a] + (a == axis ? at : 0);
+        visit(p, offset(from, axis, at, [&](const Coordinates<D>& v) { return field_.scalar(v); }));
+      }
+    });
+  }
+
+ private:
+  /// 0 where nothing is known.
+  [[nodiscard]] double value(const Coordinates<D>& v) const {
+    const auto& scalars = decoded_.scalars.at(table_.placeOf(v));
+    const std::size_t number = numberOf<D>(v);
+    return scalars.knows(number) ? scalars.value[number] : 0;
+  }
+
+  /// From a point of an edge to where a field is 0, by its value and gradient there; far where they are not known.
+  template <class Field>
+  double offset(const Coordinates<D>& from, int axis, double at, Field field) const {
+    constexpr double kFar = 4;
+    Coordinates<D> to = from;
+    ++to[axis];
+    const double low = field(from), high = field(to);
+    if (low == 0 || high == 0) return kFar;
+    double squares = 0;
+    for (int a = 0; a < D; ++a) {
+      double slope = high - low;
+      if (a != axis) slope = (1 - at) * difference(from, a, field) + at * difference(to, a, field);
+      slope /= plan_.unit()[static_cast<std::size_t>(a)];
+      squares += slope * slope;
+    }
+    return squares > 0 ? std::min(kFar, std::abs(low + at * (high - low)) / std::sqrt(squares)) : kFar;
+  }
+
+  template <class Field>
+  double difference(const Coordinates<D>& v, int axis, Field field) const {
+    double sum = 0;
+    int count = 0;
+    const double here = field(v);
+    for (int side = -1; side <= 1; side += 2) {
+      auto next = v;
+      next[axis] += side;
+      if (next[axis] < 0 || next[axis] > field_.last()[axis]) continue;
+      const double there = field(next);
+      if (there == 0) continue;
+      sum += side * (there - here);
+      ++count;
+    }
+    return count == 0 ? 0 : sum / count;
+  }
+
+  const AdaptivePlan<D>& plan_;
+  const GridField<D>& field_;
+  const AdaptiveOctave<D>& decoded_;
+  const BrickTable<D>& table_;
+};
+
+}  // namespace isostar

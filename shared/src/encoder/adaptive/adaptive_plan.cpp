@@ -1,0 +1,253 @@
+#include "encoder/adaptive/adaptive_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scalars/crossings.h"
+#include "encoder/core/source_distance.h"
+
+namespace isostar {
+
+template <int D>
+AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header, const Signs<D>& finest) : field_(field), octaves_(header.octaves()) {
+  for (int a = 0; a < D; ++a) unit_[a] = edgeLength(header.placement, 1u << a);
+  findCrossings(finest);
+  nearest_.resize(static_cast<std::size_t>(octaves_) + 1);
+  forbidden_.resize(nearest_.size());
+  for (int level = 0; level <= octaves_; ++level) {
+    if (lattice(level).step > kMostStep) continue;
+    findNearest(level);
+    forbidden_[static_cast<std::size_t>(level)].assign(lattice(level).vertices(), 0);
+  }
+}
+
+template <int D>
+void AdaptivePlan<D>::findCrossings(const Signs<D>& finest) {
+  forCrossedRows(finest, activeBricks(finest), false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+    const int axis = std::countr_zero(axes);
+    for (; crossed != 0; crossed &= crossed - 1) {
+      const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+      Crossing c{ends.even, axis, 0, {}, {}, 0};
+      Coordinates<D> to = ends.odd;
+      if (to[axis] < c.from[axis]) std::swap(c.from, to);
+      const double low = std::abs(field_.scalar(c.from)), high = std::abs(field_.scalar(to));
+      c.at = low / (low + high);
+      for (int a = 0; a < D; ++a) {
+        c.position[a] = c.from[a] + (a == axis ? c.at : 0);
+        const auto along = static_cast<std::size_t>(a);
+        const double slope = a == axis ? field_.scalar(to) - field_.scalar(c.from)
+                                       : (1 - c.at) * field_.slope(c.from, along) + c.at * field_.slope(to, along);
+        c.normal[a] = slope / unit_[a];
+        c.gradient += c.normal[a] * c.normal[a];
+      }
+      c.gradient = std::sqrt(c.gradient);
+      for (double& n : c.normal) n /= c.gradient;
+      crossings_.push_back(c);
+    }
+  });
+}
+
+/// Each crossing is offered to the vertices within two steps.
+template <int D>
+void AdaptivePlan<D>::findNearest(int level) {
+  const auto grid = lattice(level);
+  auto& nearest = nearest_[static_cast<std::size_t>(level)];
+  nearest.assign(grid.vertices(), kNone);
+  std::vector<float> best(nearest.size(), INFINITY);
+  for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    Coordinates<D> low, high;
+    for (int a = 0; a < D; ++a) {
+      const int32_t plane = static_cast<int32_t>(crossings_[i].position[a]) / grid.step;
+      low[a] = std::clamp(plane - 1, 0, grid.last[a]);
+      high[a] = std::clamp(plane + 2, 0, grid.last[a]);
+    }
+    for (auto v = low;;) {
+      double squares = 0;
+      for (int a = 0; a < D; ++a) {
+        const double d = (grid.sample(a, v[a]) - crossings_[i].position[a]) * unit_[a];
+        squares += d * d;
+      }
+      const std::size_t at = index(grid, v);
+      if (squares < best[at]) {
+        best[at] = static_cast<float>(squares);
+        nearest[at] = static_cast<uint32_t>(i);
+      }
+      int a = 0;
+      for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
+      if (a == D) break;
+    }
+  }
+}
+
+/// From a vertex to the surface, in grid steps; as if the surface were plane near by. Infinite where none is near.
+template <int D>
+double AdaptivePlan<D>::distance(int level, const Coordinates<D>& v) const {
+  constexpr double kPlane = 1.5;
+  const auto grid = lattice(level);
+  const uint32_t n = nearest_[static_cast<std::size_t>(level)][index(grid, v)];
+  if (n == kNone) return INFINITY;
+  const Crossing& c = crossings_[n];
+  double squares = 0, along = 0;
+  for (int a = 0; a < D; ++a) {
+    const double d = (grid.sample(a, v[a]) - c.position[a]) * unit_[a];
+    squares += d * d;
+    along += d * c.normal[a];
+  }
+  const double far = std::sqrt(squares);
+  return far < kPlane ? std::abs(along) : far;
+}
+
+template <int D>
+double AdaptivePlan<D>::scalar(int level, const Coordinates<D>& v) const {
+  constexpr double kLeast = 1e-3;  // grid steps: a scalar must have a sign
+  const auto grid = lattice(level);
+  const double truth = field_.scalar(grid.samples(v));
+  if (level == octaves_ || grid.step > kMostStep) return truth;
+  const uint32_t n = nearest_[static_cast<std::size_t>(level)][index(grid, v)];
+  if (n == kNone) return truth;
+  const double size = std::max(kLeast, distance(level, v)) * crossings_[n].gradient;
+  return truth > 0 ? size : -size;
+}
+
+/// Can the cell be halved on all axes?
+template <int D>
+bool AdaptivePlan<D>::splittable(int level, const Coordinates<D>& cell) const {
+  const auto finer = lattice(level + 1);
+  for (int a = 0; a < D; ++a) {
+    if (!finer.fresh(a, 2 * cell[a] + 1)) return false;
+  }
+  return true;
+}
+
+/// At a point of a cell: the linear function of the simplex that holds it, and the size of its gradient by grid step.
+template <int D>
+std::pair<double, double> AdaptivePlan<D>::linear(int level, const Coordinates<D>& cell, const Point& p) const {
+  const auto grid = lattice(level);
+  std::array<double, D> along;   // 0 at the even corner, 1 at the odd one
+  std::array<double, D> length;  // of the cell
+  Coordinates<D> v;
+  std::array<int, D> order;
+  for (int a = 0; a < D; ++a) {
+    const int32_t low = grid.sample(a, cell[a]), high = grid.sample(a, cell[a] + 1);
+    const double u = (p[a] - low) / (high - low);
+    const bool lowIsEven = cell[a] % 2 == 0;
+    along[a] = lowIsEven ? u : 1 - u;
+    length[a] = (high - low) * unit_[a];
+    v[a] = cell[a] + (lowIsEven ? 0 : 1);
+    order[a] = a;
+  }
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return along[a] != along[b] ? along[a] > along[b] : a < b; });
+  double before = scalar(level, v), value = before, squares = 0;
+  for (const int a : order) {
+    v[a] = 2 * cell[a] + 1 - v[a];
+    const double here = scalar(level, v), difference = here - before;
+    value += difference * along[a];
+    squares += difference * difference / (length[a] * length[a]);
+    before = here;
+  }
+  return {value, std::sqrt(squares)};
+}
+
+template <int D>
+bool AdaptivePlan<D>::surfaceFits(int level, const Coordinates<D>& cell, const Point& p, double distance) const {
+  const auto [value, gradient] = linear(level, cell, p);
+  return std::abs(value) <= distance * gradient;
+}
+
+/// Has the linear function the field's sign at all samples of the cell further from the surface than allowed?
+template <int D>
+bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double allowed) const {
+  const auto grid = lattice(level);
+  Coordinates<D> low, high;
+  for (int a = 0; a < D; ++a) {
+    low[a] = grid.sample(a, cell[a]);
+    high[a] = grid.sample(a, cell[a] + 1);
+  }
+  for (auto v = low;;) {
+    Point p;
+    for (int a = 0; a < D; ++a) p[a] = v[a];
+    if ((linear(level, cell, p).first > 0) != (field_.scalar(v) > 0) && !(distance(octaves_, v) <= allowed)) return false;
+    int a = 0;
+    for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
+    if (a == D) return true;
+  }
+}
+
+template <int D>
+void AdaptivePlan<D>::keep(double allowed) {
+  cells_.assign(nearest_.size(), {});
+  for (int level = 0; level < octaves_; ++level) {
+    const auto grid = lattice(level);
+    if (grid.step > kMostStep) continue;
+    auto& cells = cells_[static_cast<std::size_t>(level)];
+    cells.assign(grid.vertices(), kEmpty);
+    std::vector<Coordinates<D>> found;
+    for (const Crossing& c : crossings_) {
+      Coordinates<D> cell;
+      for (int a = 0; a < D; ++a) cell[a] = std::min(static_cast<int32_t>(c.position[a]) / grid.step, grid.last[a] - 1);
+      const std::size_t at = index(grid, cell);
+      uint8_t& state = cells[at];
+      if (state == kSplit) continue;
+      if (state == kEmpty) {
+        found.push_back(cell);
+        state = splittable(level, cell) && forbidden_[static_cast<std::size_t>(level)][at] == 0 ? kWhole : kSplit;
+      }
+      if (state == kWhole && !surfaceFits(level, cell, c.position, allowed)) state = kSplit;
+    }
+    for (const auto& cell : found) {
+      uint8_t& state = cells[index(grid, cell)];
+      if (state == kWhole && !signsFit(level, cell, allowed)) state = kSplit;
+    }
+  }
+}
+
+template <int D>
+Signs<D> AdaptivePlan<D>::centres(int level) const {
+  Signs<D> centres(lattice(level));
+  const auto grid = lattice(level - 1);
+  const auto& cells = cells_[static_cast<std::size_t>(level) - 1];
+  if (cells.empty()) return centres;
+  for (Coordinates<D> v{};;) {
+    if (cells[index(grid, v)] == kWhole) {
+      Coordinates<D> centre;
+      for (int a = 0; a < D; ++a) centre[a] = 2 * v[a] + 1;
+      centres.set(centre, true);
+    }
+    int a = 0;
+    for (; a < D && ++v[a] > grid.last[a]; ++a) v[a] = 0;
+    if (a == D) return centres;
+  }
+}
+
+template <int D>
+bool AdaptivePlan<D>::forbid(const Point& p, double reach) {
+  for (int level = 0; level < octaves_; ++level) {
+    const auto& cells = cells_[static_cast<std::size_t>(level)];
+    if (cells.empty()) continue;
+    const auto grid = lattice(level);
+    Coordinates<D> low, high;
+    const double around = reach * grid.step;
+    for (int a = 0; a < D; ++a) {
+      low[a] = std::clamp(static_cast<int32_t>(p[a] - around) / grid.step, 0, grid.last[a]);
+      high[a] = std::clamp(static_cast<int32_t>(p[a] + around) / grid.step, 0, grid.last[a]);
+    }
+    bool any = false;
+    for (auto v = low;;) {
+      const std::size_t at = index(grid, v);
+      if (cells[at] == kWhole) {
+        forbidden_[static_cast<std::size_t>(level)][at] = 1;
+        any = true;
+      }
+      int a = 0;
+      for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
+      if (a == D) break;
+    }
+    if (any) return true;
+  }
+  return false;
+}
+
+template class AdaptivePlan<2>;
+template class AdaptivePlan<3>;
+
+}  // namespace isostar

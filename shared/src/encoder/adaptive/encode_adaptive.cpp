@@ -1,0 +1,68 @@
+#include "encoder/adaptive/encode_adaptive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "encoder/adaptive/adaptive_writer.h"
+
+namespace isostar {
+namespace {
+
+/// Quanta fine enough for any bound, and room for the scalars of the coarsest vertices.
+template <int D>
+void quantize(const AdaptivePlan<D>& plan, Header& header) {
+  double steepest = 0;
+  for (const auto& c : plan.crossings()) steepest = std::max(steepest, c.gradient);
+  constexpr double kFarthest = 128;  // grid steps
+  header.whole = false;
+  header.quantum = std::ldexp(1.0, std::ilogb(steepest * kFarthest) + 1 - 28);
+  header.positiveOffset = header.negativeOffset = 0.5;
+}
+
+}  // namespace
+
+template <int D>
+bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, const Signs<D>& finest, Header& header, std::vector<std::byte>& layers) {
+  constexpr int kTries = 14;
+  constexpr double kFirstOrder = 1.15;  // distances are judged to first order: exact ones were up to 1.13 times as large
+  constexpr uint64_t kHopeless = uint64_t{1} << 32;
+  constexpr double kFlat = 0.9, kQuantized = 1.0;  // of the bound: what is allowed is the worst, and both seldom meet
+  AdaptivePlan<D> plan(field, header, finest);
+  quantize(plan, header);
+  const SourceDistance<D> distance(field, header, finest, activeBricks(finest));
+  std::vector<Signs<D>> truth(static_cast<std::size_t>(plan.octaves()) + 1);
+  truth.back() = finest;
+  for (std::size_t level = truth.size() - 1; level-- > 0;) truth[level] = coarsened(truth[level + 1]);
+  double quantized = kQuantized * header.maxError;
+  for (int i = 0;; ++i) {
+    plan.keep(kFlat * header.maxError);
+    AdaptiveWriter<D> writer(plan, field, header, distance, truth, false);
+    writer.signs();
+    writer.geometry(quantized);
+    const auto& decoded = writer.decoded().octave(plan.octaves());
+    if (options.progress) options.progress((i + 1.0) / (kTries + 1));
+    uint64_t beyond = 0;
+    const auto judge = [&](const auto& p, double d) {
+      if (d * kFirstOrder > header.maxError) beyond += plan.forbid(p, std::min(0.5 + 0.5 * i, 1.5)) ? 1 : kHopeless;
+    };
+    const AdaptiveDistance<D> measured(plan, field, decoded);
+    measured.fromSource(1, judge);
+    measured.fromDecoded(judge);
+    if (beyond == 0) break;
+    if (i == kTries) return false;
+    // Where nothing is left to split, or splitting helps no more, scalars must be finer.
+    if (beyond >= kHopeless || i >= kTries / 2) quantized *= 0.85;
+  }
+  AdaptiveWriter<D> writer(plan, field, header, distance, truth, true);
+  writer.signs();
+  writer.geometry(quantized);
+  layers = writer.bytes();
+  const auto& decoded = writer.decoded().octave(plan.octaves());
+  header.vertices = countCrossings(decoded.signs, decoded.active);
+  return true;
+}
+
+template bool encodeAdaptive<2>(const GridField<2>&, const EncodeOptions&, const Signs<2>&, Header&, std::vector<std::byte>&);
+template bool encodeAdaptive<3>(const GridField<3>&, const EncodeOptions&, const Signs<3>&, Header&, std::vector<std::byte>&);
+
+}  // namespace isostar

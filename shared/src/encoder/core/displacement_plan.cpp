@@ -1,0 +1,198 @@
+#include "encoder/core/displacement_plan.h"
+
+#include <cmath>
+
+#include "scalars/crossings.h"
+#include "scalars/displacement_window.h"
+
+namespace isostar {
+namespace {
+
+/// A sum of errors, in grid steps, by what is to be displaced.
+struct Mean {
+  float sum = 0;
+  uint32_t count = 0;
+
+  void add(double error) {
+    sum += static_cast<float>(error);
+    ++count;
+  }
+  [[nodiscard]] int8_t steps(double step) const {
+    constexpr double kWorthTelling = 0.6, kMost = 4;
+    const double steps = count == 0 ? 0 : sum / count / step;
+    return static_cast<int8_t>(std::abs(steps) < kWorthTelling ? 0 : std::clamp(std::round(steps), -kMost, kMost));
+  }
+};
+
+/// Means by block, in bricks that are made as they are asked for.
+template <int D>
+class Means {
+ public:
+  using Brick = std::array<Mean, Displacements<D>::kBlocks>;
+
+  explicit Means(std::size_t places) : at_(places, 0) {}
+  Mean& at(std::size_t place, std::size_t block) {
+    if (at_[place] == 0) {
+      bricks_.emplace_back();
+      at_[place] = static_cast<uint32_t>(bricks_.size());
+    }
+    return bricks_[at_[place] - 1][block];
+  }
+  [[nodiscard]] const Brick* find(std::size_t place) const { return at_[place] == 0 ? nullptr : &bricks_[at_[place] - 1]; }
+
+ private:
+  std::vector<uint32_t> at_;
+  std::vector<Brick> bricks_;
+};
+
+/// Of a block: the one at the lower corner of its cube.
+template <int D>
+std::size_t cubeOf(std::size_t block, int log2Side) {
+  std::size_t corner = 0, stride = 1;
+  for (int a = 0; a < D; ++a, block /= Displacements<D>::kSide, stride *= Displacements<D>::kSide) {
+    corner += (block % Displacements<D>::kSide >> (log2Side - 1) << (log2Side - 1)) * stride;
+  }
+  return corner;
+}
+
+}  // namespace
+
+template <int D>
+DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel)
+    : signs_(signs), active_(active), first_(active.size() + 1), blocks_(active.size()) {
+  Scalars<D> estimates(active.size());
+  Tube<D> tube;
+  ShapeEstimate<D> shapes(kernel);
+  for (std::size_t place = 0; place < active.size(); ++place) {
+    if (active[place] == 0) continue;
+    tube.enter(signs, place, Members::AxisEnds);
+    if (tube.empty()) continue;
+    shapes.load(tube.window());
+    auto& brick = estimates.writable(place);
+    tube.forEach([&](int, std::size_t r, int x) { brick.value[r * kBrickSide + static_cast<std::size_t>(x)] = shapes.sum(r, x); });
+    auto& blocks = blocks_.writable(place);
+    tube.forEach(true, [&](int, std::size_t r, int x) { blocks[Displacements<D>::block(r, x)] = 1; });
+  }
+  const auto& table = signs.table();
+  ScalarWindow<D> window;
+  std::size_t entered = 0;
+  const auto finish = [&](std::size_t place) {
+    while (entered < place) first_[++entered] = edges_.size();
+  };
+  forCrossedRows(
+      signs, active, false,
+      [&](std::size_t place) {
+        finish(place);
+        window.load(estimates, table, table.brick(place));
+      },
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        for (; crossed != 0; crossed &= crossed - 1) {
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          edges_.push_back(edgeOf(field, signs, ends, brick, std::countr_zero(axes)));
+          edges_.back().estimates = {window.value[static_cast<std::size_t>(ends.evenAt)], window.value[static_cast<std::size_t>(ends.oddAt)]};
+        }
+      });
+  finish(active.size());
+}
+
+template <int D>
+typename DisplacementPlan<D>::Edge DisplacementPlan<D>::edgeOf(const GridField<D>& field, const Signs<D>& signs, const EdgeEnds<D>& ends, const Coordinates<D>& brick, int axis) {
+  const auto even = signs.lattice().samples(ends.even), odd = signs.lattice().samples(ends.odd);
+  const double at = field.crossing(even, odd, static_cast<std::size_t>(axis));
+  const bool positive = field.scalar(even) > 0;
+  Edge edge{{}, {}, static_cast<float>(positive ? at : -1 - at), 0, 0, static_cast<uint8_t>(axis)};
+  for (const std::size_t end : {0, 1}) {
+    const auto& v = end == 0 ? ends.even : ends.odd;
+    edge.vertices[end] = v[axis] / kBrickSide == brick[axis] ? static_cast<uint16_t>(numberOf<D>(v)) : kBeyond;
+  }
+  const auto& end = positive ? ends.even : ends.odd;
+  const std::size_t number = numberOf<D>(end);
+  edge.positivePlace = static_cast<uint32_t>(signs.table().placeOf(end));
+  edge.positiveBlock = static_cast<uint8_t>(Displacements<D>::block(number / kBrickSide, static_cast<int>(number % kBrickSide)));
+  return edge;
+}
+
+template <int D>
+int32_t DisplacementPlan<D>::displacementAt(const DisplacementWindow<D>& displaced, const Edge& edge, std::size_t end) {
+  if (edge.vertices[end] != kBeyond) return displaced.at(edge.vertices[end] / kBrickSide, edge.vertices[end] % kBrickSide);
+  auto vertex = vertexOf<D>({}, edge.vertices[1 - end]);
+  vertex[edge.axis] = kBrickSide;
+  return displaced.smooth(vertex);
+}
+
+template <int D>
+template <class Visit>
+void DisplacementPlan<D>::forEachError(const Displacements<D>& told, Visit visit) const {
+  constexpr double kSlope = Displacements<D>::kPlaneSlope, kLeast = kSlope / 8;  // as completion.h has it
+  const auto& table = signs_.table();
+  const bool displaces = told.places() != 0;
+  DisplacementWindow<D> displaced;
+  for (std::size_t place = 0; place < active_.size(); ++place) {
+    if (first_[place] == first_[place + 1]) continue;
+    if (displaces) {
+      displaced.load(told, table, table.brick(place));
+      displaced.spread();
+    }
+    for (std::size_t i = first_[place]; i < first_[place + 1]; ++i) {
+      const Edge& edge = edges_[i];
+      const bool positive = edge.crossing >= 0;
+      const double side = positive ? 1 : -1, at = positive ? edge.crossing : -1 - edge.crossing;
+      const auto shown = [&](std::size_t end, double sign) {
+        return std::max(sign * (edge.estimates[end] - (displaces ? displacementAt(displaced, edge, end) : 0)), kLeast);
+      };
+      const double a = shown(0, side), b = shown(1, -side);
+      visit(edge, side * (a - at * (a + b)) / kSlope);
+    }
+  }
+}
+
+template <int D>
+Displacements<D> DisplacementPlan<D>::reached(const Displacements<D>& told, const Displacements<D>& steps, const DisplacementPass& pass) const {
+  Displacements<D> result = told.places() == 0 ? Displacements<D>(active_.size()) : told;
+  for (std::size_t place = 0; place < active_.size(); ++place) {
+    if (active_[place] == 0) continue;
+    const auto& blocks = blocks_.at(place);
+    auto& brick = result.writable(place);
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+      if (blocks[block] == 1) Displacements<D>::move(brick[block], steps.at(place)[cubeOf<D>(block, pass.log2Side)] * pass.step);
+    }
+  }
+  return result;
+}
+
+template <int D>
+double DisplacementPlan<D>::error(const Displacements<D>& told) const {
+  double squares = 0;
+  std::size_t edges = 0;
+  forEachError(told, [&](const Edge&, double error) {
+    squares += error * error;
+    ++edges;
+  });
+  return edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges));
+}
+
+template <int D>
+typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements<D>& told, const DisplacementPass& pass) const {
+  const double step = static_cast<double>(pass.step) / Displacements<D>::kPerStep;
+  double squares = 0;
+  std::size_t edges = 0;
+  Means<D> means(active_.size());
+  forEachError(told, [&](const Edge& edge, double error) {
+    squares += error * error;
+    ++edges;
+    means.at(edge.positivePlace, cubeOf<D>(edge.positiveBlock, pass.log2Side)).add(error);
+  });
+  Next next{Displacements<D>(active_.size()), edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};
+  for (std::size_t place = 0; place < active_.size(); ++place) {
+    const auto* of = means.find(place);
+    if (of == nullptr) continue;
+    std::transform(of->begin(), of->end(), next.steps.writable(place).begin(), [&](const Mean& mean) { return mean.steps(step); });
+  }
+  return next;
+}
+
+template class DisplacementPlan<2>;
+template class DisplacementPlan<3>;
+template class DisplacementPlan<4>;
+
+}  // namespace isostar

@@ -1,0 +1,164 @@
+#include "encoder/core/field.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "util/simd.h"
+#include "grid/tube.h"
+
+namespace isostar {
+namespace {
+
+/// Are samples whole numbers of a step, each on the right side of the isovalue also as such a number?
+class WholeSamples {
+ public:
+  /// `perStep`: so many steps are 1.
+  WholeSamples(double perStep, double isovalue) : perStep_(perStep), isovalue_(isovalue) {}
+  void see(double sample) {
+    if (!all_) return;
+    const double n = std::round(sample * perStep_);
+    all_ = static_cast<float>(n / perStep_) == sample && (n > isovalue_ * perStep_) == (sample > isovalue_);
+  }
+  [[nodiscard]] bool all() const { return all_; }
+
+ private:
+  double perStep_, isovalue_;
+  bool all_ = true;
+};
+
+/// The largest float that is not above a value: s > v where s > floorOf(v), for each float s.
+float floorOf(double v) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  const auto near = static_cast<float>(std::clamp(v, -double{kMost}, double{kMost}));
+  return double{near} > v ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+}
+
+/// Which of eight samples are above a threshold, bit x for the x-th.
+unsigned above(const float* samples, float threshold) {
+  using Four [[gnu::vector_size(16)]] = float;
+  std::array<Four, 2> four;
+  std::memcpy(&four, samples, sizeof four);
+  const Four least = Four{} + threshold;
+  const Lanes bits = ((four[0] > least) & Lanes{1, 2, 4, 8}) | ((four[1] > least) & Lanes{16, 32, 64, 128});
+  return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
+}
+
+}  // namespace
+
+template <int D>
+bool sensible(std::span<const float> samples, const Coordinates<D>& size, double isovalue) {
+  uint64_t count = 1;
+  for (int32_t n : size) {
+    if (n < 1 || n >= (1 << 28)) return false;
+    count *= static_cast<uint64_t>(n);
+    if (count > samples.size()) return false;
+  }
+  if (count != samples.size() || !std::isfinite(isovalue)) return false;
+  // Counted, not searched for: several at once.
+  uint32_t strange = 0;
+  for (const float s : samples) strange += std::abs(s) <= std::numeric_limits<float>::max() ? 0 : 1;
+  return strange == 0;
+}
+
+template <int D>
+Signs<D> GridField<D>::signs() const {
+  Signs<D> signs(Lattice<D>(last_, 1));
+  // A box without extent on an axis has no cells, and so no surface.
+  if (std::ranges::any_of(last_, [](int32_t last) { return last == 0; })) return signs;
+  const float threshold = floorOf(isovalue_);
+  const auto across = static_cast<std::size_t>(table_.count(0));
+  std::vector<Brick<D>> bricks(across);  // side by side on axis 0, so that samples are read in their order
+  for (std::size_t place = 0; place < table_.total(); place += across) {
+    for (std::size_t r = 0; r < bricks[0].rows.size(); ++r) {
+      // Beyond the lattice the last plane goes on, so that a uniform brick at the box's end is one.
+      Coordinates<D> v = vertex(table_.brick(place), r);
+      for (int a = 1; a < D; ++a) v[a] = std::min(v[a], last_[a]);
+      const float* row = &samples_[at(v)];
+      for (std::size_t b = 0; b + 1 < across; ++b) bricks[b].rows[r] = static_cast<uint8_t>(above(row + b * kBrickSide, threshold));
+      const std::size_t first = (across - 1) * kBrickSide, count = static_cast<std::size_t>(last_[0]) + 1 - first;
+      std::array<float, kBrickSide> end;
+      end.fill(row[last_[0]]);
+      std::copy_n(row + first, count, end.begin());
+      bricks[across - 1].rows[r] = static_cast<uint8_t>(above(end.data(), threshold));
+    }
+    for (std::size_t b = 0; b < across; ++b) signs.put(place + b, bricks[b]);
+  }
+  return signs;
+}
+
+template <int D>
+Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
+  double largest = 0;
+  WholeSamples ones(1, isovalue_), bytes(255, isovalue_);
+  Tube<D> tube;
+  for (std::size_t place = 0; place < active.size(); ++place) {
+    if (active[place] == 0) continue;
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
+      if (members == Members::DiagonalEnds && polygonizer == Polygonizer::Cubes) break;
+      tube.enter(signs, place, members);
+      tube.forEach([&](int, std::size_t r, int x) {
+        const double sample = samples_[at(vertex(tube.at(), r)) + static_cast<std::size_t>(x)];
+        largest = std::max(largest, std::abs(sample - isovalue_));
+        ones.see(sample);
+        bytes.see(sample);
+      });
+    }
+  }
+  return {largest, ones.all(), bytes.all()};
+}
+
+void Precision::fix(Header& header) const {
+  if (ones && largest < double(1 << 28)) return header.countWhole(1);
+  if (bytes && largest <= 1) return header.countWhole(Header::kByteStep);
+  header.quantum = std::ldexp(1.0, largest > 0 ? std::ilogb(largest) - 27 : 0);
+}
+
+template <int D>
+int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::size_t place) const {
+  const auto brick = table_.brick(place);
+  Window<D> window;
+  window.load(signs, brick);
+  // Vertices from the plane before the brick to its last, as far as the lattice goes.
+  Coordinates<D> from, to;
+  for (int a = 0; a < D; ++a) {
+    from[a] = brick[a] == 0 ? 0 : -1;
+    to[a] = std::min(kBrickSide - 1, last_[a] - brick[a] * kBrickSide);
+  }
+  const uint32_t vertices = (2u << (to[0] + Window<D>::kHalo)) - (1u << (from[0] + Window<D>::kHalo));
+  const bool atEnd = brick[0] * kBrickSide + to[0] == last_[0];
+  const uint32_t edges = atEnd ? vertices & vertices >> 1 : vertices;  // along axis 0
+  std::array<float, D * power(kBrickSide + 1, D)> differences;
+  std::size_t count = 0;
+  for (auto v = from;;) {
+    const int row = Window<D>::row(v);
+    Coordinates<D> sample;
+    for (int a = 0; a < D; ++a) sample[a] = brick[a] * kBrickSide + (a == 0 ? -Window<D>::kHalo : v[a]);
+    const auto first = static_cast<std::ptrdiff_t>(at(sample));
+    for (int a = 0; a < D; ++a) {
+      if (a > 0 && sample[a] == last_[a]) continue;
+      const uint32_t here = window.rows[row], next = a == 0 ? here >> 1 : window.rows[row + Window<D>::rowStride(a)];
+      for (uint32_t crossed = (here ^ next) & (a == 0 ? edges : vertices); crossed != 0; crossed &= crossed - 1) {
+        const auto low = static_cast<std::size_t>(first + std::countr_zero(crossed));
+        differences[count++] = std::abs(samples_[low] - samples_[low + stride_[a]]);
+      }
+    }
+    int a = 1;
+    for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
+    if (a == D) break;
+  }
+  if (count == 0) return 0;
+  std::nth_element(differences.begin(), differences.begin() + count / 2, differences.begin() + count);
+  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantum))), 0L, 120L));
+}
+
+template bool sensible<2>(std::span<const float>, const Coordinates<2>&, double);
+template bool sensible<3>(std::span<const float>, const Coordinates<3>&, double);
+template bool sensible<4>(std::span<const float>, const Coordinates<4>&, double);
+template class GridField<2>;
+template class GridField<3>;
+template class GridField<4>;
+
+}  // namespace isostar

@@ -1,0 +1,37 @@
+// The layers of a stream as an encoder makes them.
+#pragma once
+
+#include "coding/exchange/exchange.h"
+#include "coding/geometry/geometry_pass.h"
+#include "container/stream.h"
+
+namespace isostar {
+
+/// Both writers, of uniform and of adaptive streams, make them so.
+class LayerBytes {
+ public:
+  /// Appends what tell(exchange) tells of the truth, behind the fields of the pass if there is one; error() is asked afterwards:
+  /// the RMS distance of what a decoder shows then.
+  template <int D, class Field, class Tell, class Error>
+  void add(LayerHead head, const GeometryPass<D>* pass, const Signs<D>& truth, const Field& field, Tell tell, Error error) {
+    std::vector<std::byte> layer;
+    if (pass != nullptr) {
+      ByteWriter fields(layer);
+      if (head.kind == LayerKind::NearGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
+      pass->write(fields);
+    }
+    RangeEncoder coder(layer);
+    TruthExchange<D, RangeEncoder, Field> ask(coder, truth, field);
+    tell(ask);
+    coder.finish();
+    head.error = error();
+    append(bytes_, head, layer);
+  }
+
+  [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,43 @@
+// What an encoder knows of the source's surface at one isovalue.
+#pragma once
+
+#include <optional>
+
+#include "encoder/core/field.h"
+#include "encoder/core/source_distance.h"
+
+namespace isostar {
+
+/// The source's surface at one of the stream's isovalues.
+template <int D>
+class Source {
+ public:
+  Source(std::span<const float> samples, const Coordinates<D>& size, double isovalue)
+      : isovalue_(isovalue), field_(samples, size, isovalue), signs_(field_.signs()), active_(activeBricks(signs_)) {}
+  Source(const Source&) = delete;  // its parts know each other
+
+  [[nodiscard]] double isovalue() const { return isovalue_; }
+  [[nodiscard]] const GridField<D>& field() const { return field_; }
+  [[nodiscard]] const Signs<D>& signs() const { return signs_; }
+  [[nodiscard]] uint64_t crossings() const { return countCrossings(signs_, active_); }
+  [[nodiscard]] Precision precision(Polygonizer polygonizer) const { return field_.precision(polygonizer, signs_, active_); }
+  /// To be called once, when the stream's quantum is fixed. `domain`: of a trimmed stream.
+  void measureIn(const Header& stream, const GridField<D>* domain) {
+    header_ = stream.at(isovalue_);
+    quantized_.emplace(field_, header_, signs_, domain);
+    distance_.emplace(field_, header_, signs_, active_);
+  }
+  [[nodiscard]] QuantizedField<D>& quantized() { return *quantized_; }
+  [[nodiscard]] const SourceDistance<D>& distance() const { return *distance_; }
+
+ private:
+  double isovalue_;
+  GridField<D> field_;
+  Signs<D> signs_;
+  std::vector<uint8_t> active_;
+  Header header_;
+  std::optional<QuantizedField<D>> quantized_;
+  std::optional<SourceDistance<D>> distance_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,162 @@
+#include "encoder/core/source_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimate/completion.h"
+#include "encoder/core/vertex_cloud.h"
+
+namespace isostar {
+namespace {
+
+template <std::size_t D>
+double dot(const std::array<double, D>& a, const std::array<double, D>& b) {
+  double sum = a[0] * b[0];
+  for (std::size_t i = 1; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Of the marked bricks, at most so many, evenly spread.
+std::vector<uint8_t> someOf(const std::vector<uint8_t>& marked, std::size_t most) {
+  const std::size_t stride = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) / most + 1;
+  std::vector<uint8_t> some(marked.size(), 0);
+  std::size_t number = 0;
+  for (std::size_t place = 0; place < marked.size(); ++place) {
+    if (marked[place] != 0 && number++ % stride == 0) some[place] = 1;
+  }
+  return some;
+}
+
+}  // namespace
+
+double edgeLength(const Placement& placement, unsigned axes) {
+  const double step = std::ranges::min(placement.spacing);
+  double sum = (axes >> 3 & 1) != 0 ? step * step : 0;
+  for (unsigned a = 0; a < 3; ++a) {
+    if ((axes >> a & 1) != 0) sum += placement.spacing[a] * placement.spacing[a];
+  }
+  return std::sqrt(sum) / step;
+}
+
+template <int D>
+SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active)
+    : field_(field), header_(header), near_(active.size(), 0) {
+  constexpr std::size_t kBricks = 96;
+  constexpr uint64_t kSamples = 1024;
+  for (int a = 0; a < D; ++a) unit_[a] = edgeLength(header.placement, 1u << a);
+  const auto bricks = someOf(active, kBricks);
+  const uint64_t stride = countCrossings(signs, bricks) / kSamples + 1;
+  uint64_t number = 0;
+  std::size_t place = 0;
+  forCrossedRows(
+      signs, bricks, false, [&](std::size_t entered) { place = entered; },
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        for (; crossed != 0; crossed &= crossed - 1) {
+          if (number++ % stride != 0) continue;
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          const auto axis = static_cast<std::size_t>(std::countr_zero(axes));
+          Sample sample{place, ends.evenAt, ends.oddAt, field.crossing(ends.even, ends.odd, axis), 0, {}, normal(ends)};
+          sample.perEdge = unit_[axis] * sample.normal[axis];
+          for (std::size_t a = 0; a < D; ++a) sample.position[a] = (ends.even[a] + sample.crossing * (ends.odd[a] - ends.even[a])) * unit_[a];
+          samples_.push_back(sample);
+          for (const auto& end : {ends.even, ends.odd}) near_[signs.table().placeOf(end)] = 1;
+        }
+      });
+}
+
+/// The source's unit normal at an edge.
+template <int D>
+typename SourceDistance<D>::Point SourceDistance<D>::normal(const EdgeEnds<D>& ends) const {
+  Point n;
+  for (std::size_t a = 0; a < D; ++a) n[a] = (field_.slope(ends.even, a) + field_.slope(ends.odd, a)) / unit_[a];
+  const double size = std::sqrt(dot(n, n));
+  for (double& v : n) v = size > 0 ? v / size : 0;
+  return n;
+}
+
+/// What is known of a scalar, without its sign, in half quanta; `unit`: of the value.
+template <int D>
+double SourceDistance<D>::size(int32_t value, double unit) const {
+  return value >= 0 ? value * unit + 2 * header_.positiveOffset - 1 : 2 * header_.negativeOffset - 1 - value * unit;
+}
+
+/// Where the surface told so far crosses an edge, from its even end (0) to its odd one (1).
+template <int D>
+double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& sample, double unit) const {
+  const double even = size(scalars.value[static_cast<std::size_t>(sample.evenAt)], unit), odd = size(scalars.value[static_cast<std::size_t>(sample.oddAt)], unit);
+  return even + odd > 0 ? even / (even + odd) : 0.5;
+}
+
+template <int D>
+double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) const {
+  constexpr std::size_t kSamples = 128;  // each searches for the nearest vertex
+  constexpr double kBeside = 0.75;       // steps of the octave: so far beside a vertex the surface goes on as a plane
+  if (samples_.empty()) return 0;
+  const VertexCloud<D> cloud(coarse, unit_, hints);
+  if (cloud.empty()) {
+    Point box;
+    for (std::size_t a = 0; a < D; ++a) box[a] = field_.last()[a] * unit_[a];
+    return std::sqrt(dot(box, box));
+  }
+  const std::size_t stride = samples_.size() / kSamples + 1;
+  double sum = 0;
+  for (std::size_t i = 0; i < samples_.size(); i += stride) {
+    const Point offset = cloud.toNearest(samples_[i].position);
+    const double squared = dot(offset, offset), height = dot(offset, samples_[i].normal);
+    const double beside = kBeside * coarse.lattice().step;
+    sum += squared - height * height < beside * beside ? height * height : squared;
+  }
+  return std::sqrt(sum / static_cast<double>((samples_.size() + stride - 1) / stride));
+}
+
+template <int D>
+double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints, int finer) const {
+  const auto& table = finest.table();
+  const bool told = scalars.places() != 0;
+  Scalars<D> estimated = told ? Scalars<D>() : Scalars<D>(table.total());
+  if (!told) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated, hints);
+  ScalarWindow<D> window;
+  std::size_t loaded = SIZE_MAX;
+  const double unit = std::ldexp(1, -finer);
+  double sum = 0;
+  for (const Sample& sample : samples_) {
+    if (sample.place != loaded) window.load(told ? scalars : estimated, table, table.brick(sample.place));
+    loaded = sample.place;
+    const double distance = (decoded(window, sample, unit) - sample.crossing) * sample.perEdge;
+    sum += distance * distance;
+  }
+  return samples_.empty() ? 0 : std::sqrt(sum / static_cast<double>(samples_.size()));
+}
+
+template <int D>
+std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs, const Scalars<D>& scalars, const std::vector<uint8_t>& active) const {
+  const auto& table = signs.table();
+  std::vector<uint8_t> places(active.size(), 0);
+  bool any = false;
+  std::array<double, 1u << D> lengths{};
+  for (unsigned axes = 1; axes < lengths.size(); ++axes) lengths[axes] = edgeLength(header_.placement, axes);
+  ScalarWindow<D> window;
+  forCrossedRows(
+      signs, active, header_.polygonizer == Polygonizer::Tetrahedra,
+      [&](std::size_t place) { window.load(scalars, table, table.brick(place)); },
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        const double allowed = bound / lengths[axes];
+        for (; crossed != 0; crossed &= crossed - 1) {
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          const double even = size(window.value[static_cast<std::size_t>(ends.evenAt)]);
+          const double odd = size(window.value[static_cast<std::size_t>(ends.oddAt)]);
+          const double trueEven = std::abs(field_.scalar(ends.even)), trueOdd = std::abs(field_.scalar(ends.odd));
+          // The difference of even / (even + odd) and its truth, without divisions.
+          if (std::abs(even * trueOdd - odd * trueEven) <= allowed * (even + odd) * (trueEven + trueOdd)) continue;
+          for (const auto& end : {ends.even, ends.odd}) places[table.placeOf(end)] = 1;
+          any = true;
+        }
+      });
+  return any ? places : std::vector<uint8_t>();
+}
+
+template class SourceDistance<2>;
+template class SourceDistance<3>;
+template class SourceDistance<4>;
+
+}  // namespace isostar

@@ -1,0 +1,46 @@
+#include "encoder/topology/encode_topology.h"
+
+#include "coding/adaptive/adaptive_field.h"
+#include "encoder/topology/sign_flips.h"
+#include "encoder/topology/topology_plan.h"
+
+namespace isostar {
+namespace {
+
+struct NoScalars {};
+
+/// Splits cells around what cannot be turned, at each step of the stream that a plan would make. How many were there?
+std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vector<Signs<3>>& truth, double reach) {
+  std::vector<std::byte> thrownAway;
+  RangeEncoder coder(thrownAway);
+  const NoScalars none;
+  TruthExchange<3, RangeEncoder, NoScalars> ask(coder, truth.front(), none);
+  ask.follow(truth, plan.centres());
+  AdaptiveField<3> field(header.base<3>());
+  field.mesh.tellAll(ask, header.octaves());
+  std::size_t stuck = 0;
+  std::vector<std::vector<Coordinates<3>>> byLevel;
+  for (int level = 0; level < header.octaves(); ++level) {
+    if (level > 0) {
+      ask.enter(level);
+      field.mesh.fill(ask, level);
+    }
+    byLevel.push_back(stuckTurns(truth.back(), field.shown(header.octaves())->signs));
+    stuck += byLevel.back().size();
+  }
+  for (std::size_t level = 0; level < byLevel.size(); ++level) {
+    for (const auto& v : byLevel[level]) plan.forbid(v, static_cast<int>(level) + 1, reach);
+  }
+  return stuck;
+}
+
+}  // namespace
+
+std::vector<Signs<3>> wholeCells(const Header& header, const std::vector<Signs<3>>& truth) {
+  TopologyPlan<3> plan(truth);
+  // Farther and farther, until in the end nothing stays whole: what is wrong here may have its reason there.
+  for (double reach = 0; improve(plan, header, truth, reach) != 0; reach = reach * 1.5 + 0.25) plan.update();
+  return plan.centres();
+}
+
+}  // namespace isostar

@@ -1,0 +1,149 @@
+#include "encoder/topology/topology_plan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "grid/refined_signs.h"
+#include "bisection/weld_topology.h"
+
+namespace isostar {
+namespace {
+
+template <int D, class Visit>
+void forEachAround(const Lattice<D>& lattice, const Coordinates<D>& v, Visit visit) {
+  Coordinates<D> low, high;
+  for (int a = 0; a < D; ++a) {
+    low[a] = std::max(v[a] - 1, 0);
+    high[a] = std::min(v[a] + 1, lattice.last[a]);
+  }
+  forEachBetween<D>(low, high, visit);
+}
+
+/// Does a vertex lie in or beside a cell that is too short to be halved?
+template <int D>
+bool besideShortEnd(const Lattice<D>& lattice, const Coordinates<D>& v) {
+  for (int a = 0; a < D; ++a) {
+    const bool odd = (lattice.last[a] & 1) != 0;
+    if (odd && v[a] + (lattice.fresh(a, v[a]) ? 1 : 0) >= lattice.last[a] - 1) return true;
+  }
+  return false;
+}
+
+/// Calls visit(v) for each vertex of a brick of the lattice.
+template <int D, class Visit>
+void forEachInBrick(const Signs<D>& signs, std::size_t place, Visit visit) {
+  Coordinates<D> low = signs.table().brick(place), high;
+  for (int a = 0; a < D; ++a) {
+    low[a] *= kBrickSide;
+    high[a] = std::min(low[a] + kBrickSide - 1, signs.lattice().last[a]);
+  }
+  forEachBetween<D>(low, high, visit);
+}
+
+}  // namespace
+
+template <int D>
+TopologyPlan<D>::TopologyPlan(const std::vector<Signs<D>>& truth) : truth_(truth) {
+  for (int level = 0; level <= octaves(); ++level) {
+    const auto& signs = truth_[static_cast<std::size_t>(level)];
+    changing_.emplace_back(signs.lattice());
+    forbidden_.emplace_back(signs.lattice());
+    centres_.emplace_back(signs.lattice());
+    if (level == 0) continue;
+    const auto active = activeBricks(signs);
+    for (std::size_t place = 0; place < active.size(); ++place) {
+      if (active[place] == 0) continue;
+      forEachInBrick(signs, place, [&](const Coordinates<D>& v) {
+        if (signs.lattice().freshAxes(v) != 0 && !keepsTopology(level, v)) changing_.back().set(v, true);
+      });
+    }
+  }
+  update();
+}
+
+template <int D>
+bool TopologyPlan<D>::keepsTopology(int level, const Coordinates<D>& v) const {
+  const auto& signs = truth_[static_cast<std::size_t>(level)];
+  const auto& lattice = signs.lattice();
+  const bool sign = signs.at(v);
+  if (besideShortEnd<D>(lattice, v)) {
+    bool same = true;
+    forEachAround<D>(lattice, v, [&](const Coordinates<D>& w) { same = same && signs.at(w) == sign; });
+    return same;
+  }
+  const Hierarchy<D> hierarchy(lattice.last, 1);
+  return weldKeepsTopology(hierarchy, v, [&](const Coordinates<D>& w) { return signs.at(hierarchy.position(w)); });
+}
+
+/// A vertex needs all corners of the coarser octave's cells that it lies in.
+template <int D>
+void TopologyPlan<D>::pinParents(const Signs<D>& bad, Signs<D>& parents) const {
+  const auto& lattice = bad.lattice();
+  forEachMember(bad, [&](const Coordinates<D>& v) {
+    Coordinates<D> low, high;
+    for (int a = 0; a < D; ++a) {
+      const int32_t parent = lattice.parent(a, v[a]);
+      const bool fresh = lattice.fresh(a, v[a]);
+      low[a] = std::max(parent - (fresh ? 0 : 1), 0);
+      high[a] = std::min(parent + 1, parents.lattice().last[a]);
+    }
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& w) { parents.set(w, true); });
+  });
+}
+
+template <int D>
+Signs<D> TopologyPlan<D>::wholeCells(int level, const Signs<D>& bad) const {
+  const auto& signs = truth_[static_cast<std::size_t>(level)];
+  const auto& lattice = signs.lattice();
+  Signs<D> centres(lattice);
+  const auto active = activeBricks(signs);
+  for (std::size_t place = 0; place < active.size(); ++place) {
+    if (active[place] == 0) continue;
+    forEachInBrick(signs, place, [&](const Coordinates<D>& v) {
+      if (lattice.freshAxes(v) != (1u << D) - 1) return;
+      bool whole = true;
+      forEachAround<D>(lattice, v, [&](const Coordinates<D>& w) { whole = whole && !bad.at(w); });
+      if (whole) centres.set(v, true);
+    });
+  }
+  return centres;
+}
+
+template <int D>
+void TopologyPlan<D>::update() {
+  Signs<D> pinned(truth_.back().lattice());
+  for (std::size_t level = truth_.size(); level-- > 1;) {
+    Signs<D> bad = std::move(pinned);
+    for (const auto* more : {&changing_[level], &forbidden_[level]}) forEachMember(*more, [&](const Coordinates<D>& v) { bad.set(v, true); });
+    centres_[level] = wholeCells(static_cast<int>(level), bad);
+    pinned = Signs<D>(truth_[level - 1].lattice());
+    pinParents(bad, pinned);
+  }
+}
+
+template <int D>
+bool TopologyPlan<D>::forbid(const Coordinates<D>& v, int level, double reach) {
+  for (int octave = level; octave <= octaves(); ++octave) {
+    const auto& centres = centres_[static_cast<std::size_t>(octave)];
+    const auto& lattice = centres.lattice();
+    Coordinates<D> low, high;
+    const auto around = static_cast<int32_t>(std::ceil((1 + 2 * reach) * lattice.step));  // from a cell's centre
+    for (int a = 0; a < D; ++a) {
+      low[a] = std::clamp((v[a] - around) / lattice.step, 0, lattice.last[a]);
+      high[a] = std::clamp((v[a] + around) / lattice.step, 0, lattice.last[a]);
+    }
+    bool any = false;
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& w) {
+      if (!centres.at(w)) return;
+      forbidden_[static_cast<std::size_t>(octave)].set(w, true);
+      any = true;
+    });
+    if (any) return true;
+  }
+  return false;
+}
+
+template class TopologyPlan<3>;
+
+}  // namespace isostar

@@ -1,0 +1,143 @@
+// Adaptive probabilities, and their mixing in the log-odds domain (§6 of the paper leaves the models open).
+// After M. Mahoney, "Adaptive weighing of context models" (PAQ, lpaq); integers only, so that every machine agrees.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "util/simd.h"
+#include "entropy/range_coder.h"
+
+namespace isostar {
+
+/// The logistic function and its inverse on integers: log-odds in 1/256 within [-2047, 2047], chances in 1/65536.
+class Logistic {
+ public:
+  static constexpr int kBound = 2047;
+
+  [[nodiscard]] static uint32_t squash(int logOdds) {
+    return tables().squash[static_cast<std::size_t>(std::clamp(logOdds, -kBound, kBound) + kBound)];
+  }
+  [[nodiscard]] static int stretch(uint32_t chance) { return tables().stretch[chance >> 4]; }
+
+ private:
+  struct Tables {
+    std::array<uint16_t, 2 * kBound + 1> squash{};
+    std::array<int16_t, 4096> stretch{};
+
+    /// At run time, since they would be an eighth of a small decoder; volatile keeps the compiler from doing it all the same.
+    Tables() {
+      const volatile int first = -kBound;
+      // 65536 / (1 + e^-x) at x = -8, -7.5, … 8; straight lines between.
+      constexpr std::array<uint32_t, 33> kKnots{22,    36,    60,    98,    162,   267,   439,   720,   1179,  1921,  3108,
+                                                4971,  7812,  11955, 17625, 24743, 32768, 40793, 47911, 53581, 57724, 60565,
+                                                62428, 63615, 64357, 64816, 65097, 65269, 65374, 65438, 65476, 65500, 65514};
+      for (int x = first; x <= kBound; ++x) {
+        const int at = x + 2048;
+        const uint32_t a = kKnots[static_cast<std::size_t>(at >> 7)], b = kKnots[static_cast<std::size_t>((at >> 7) + 1)];
+        const uint32_t value = a + ((b - a) * static_cast<uint32_t>(at & 127) + 64) / 128;
+        squash[static_cast<std::size_t>(x + kBound)] =
+            static_cast<uint16_t>(std::clamp(value, kLeastChance, kChanceOne - kLeastChance));
+      }
+      int x = -kBound;
+      for (uint32_t i = 0; i < 4096; ++i) {
+        while (x < kBound && squash[static_cast<std::size_t>(x + kBound)] < i * 16 + 8) ++x;
+        stretch[i] = static_cast<int16_t>(x);
+      }
+    }
+  };
+  static const Tables kTables;
+  static const Tables& tables() { return kTables; }
+};
+
+inline const Logistic::Tables Logistic::kTables;
+
+/// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first decisions, never by less than
+/// 1/limit. No tables, so that several of them learn side by side.
+class Chance {
+ public:
+  [[nodiscard]] uint32_t value() const { return std::clamp(state_ >> 16, kLeastChance, kChanceOne - kLeastChance); }
+
+  template <class Coder>
+  bool bit(Coder& coder, bool truth) {
+    const bool value = coder.bit(truth, this->value());
+    learn<127>(value);
+    return value;
+  }
+
+  template <int Limit>
+  void learn(bool truth) {
+    state_ = static_cast<uint32_t>(learned<Limit>(static_cast<int32_t>(state_), truth));
+  }
+
+ private:
+  template <int N>
+  friend class Mixer;
+
+  static constexpr int kRateBits = 14;  // of the state, below 18 of probability
+  static constexpr int32_t kFirstRate = (1 << kRateBits) * 2 / 3;
+
+  /// The state, or a vector of states, after a decision.
+  template <int Limit, class State>
+  static State learned(State state, bool truth) {
+    constexpr int32_t kLeastRate = (1 << (kRateBits + 1)) / (2 * Limit + 3);
+    const State rate = state & ((1 << kRateBits) - 1);
+    const State p = (state >> kRateBits) & ((1 << 18) - 1);
+    const State gap = (truth ? (1 << 18) - 1 : 0) - p;
+    const State moved = p + (((gap >> 1) * rate + (1 << (kRateBits - 2))) >> (kRateBits - 1));
+    // 1/(n + 1) is nearly 1/n - 3/4 of its square.
+    const State slower = rate - ((rate * rate * 3 + (1 << (kRateBits + 1))) >> (kRateBits + 2));
+    return moved << kRateBits | (slower < kLeastRate ? State{} + kLeastRate : slower);
+  }
+
+  uint32_t state_ = 1u << 31 | kFirstRate;
+};
+
+/// A decision seen in up to four contexts at once: their log-odds, weighed by weights that learn which context to trust.
+template <int N>
+class Mixer {
+ public:
+  static_assert(N <= 4);
+
+  using Weights = std::array<int32_t, 4>;  // 1/16384, within [-8, 8]
+  [[nodiscard]] static Weights fresh() {
+    Weights w{};
+    std::fill_n(w.begin(), N, kOne * 10 / (N * 8));
+    return w;
+  }
+  /// Where there is an estimate, too: it is trusted while contexts have learned nothing.
+  [[nodiscard]] static Weights freshWithEstimate() {
+    static_assert(N < 4);
+    Weights w{};
+    std::fill_n(w.begin(), N, kOne / N);
+    w[N] = kOne / 2;
+    return w;
+  }
+
+  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits. Beside
+  /// fewer than four contexts there may be an estimate that does not learn, in log-odds; it has the next weight.
+  template <int Limit, int Rate, class Coder>
+  static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights, int32_t estimate = 0) {
+    const auto state = [&](int i) { return i < N ? contexts[static_cast<std::size_t>(i % N)]->state_ : 0; };
+    const std::array<uint32_t, 4> states{state(0), state(1), state(2), state(3)};
+    const auto logOdds = [&](int i) { return i < N ? Logistic::stretch(states[static_cast<std::size_t>(i)] >> 16) : std::clamp(estimate, -Logistic::kBound, Logistic::kBound); };
+    const int32_t a = logOdds(0), b = logOdds(1), c = logOdds(2), d = logOdds(3);
+    const uint32_t chance = Logistic::squash((weights[0] * a + weights[1] * b + (weights[2] * c + weights[3] * d)) >> 14);
+    const bool value = coder.bit(truth, chance);
+    const int32_t error = (static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance)) >> 2;
+    Lanes trust = lanesAt(weights.data());
+    trust += (Lanes{a, b, c, d} * error + (1 << (Rate + 1))) >> (Rate + 2);
+    trust = clamped(trust, 8 * kOne);
+    std::memcpy(weights.data(), &trust, sizeof trust);
+    const Lanes known{static_cast<int32_t>(states[0]), static_cast<int32_t>(states[1]), static_cast<int32_t>(states[2]), static_cast<int32_t>(states[3])};
+    const Lanes learned = Chance::learned<Limit>(known, value);
+    for (int i = 0; i < N; ++i) contexts[static_cast<std::size_t>(i)]->state_ = static_cast<uint32_t>(learned[i]);
+    return value;
+  }
+
+ private:
+  static constexpr int32_t kOne = 1 << 14;
+};
+
+}  // namespace isostar

@@ -1,0 +1,16 @@
+// What has been told of where the surface lies, beside its signs and before its scalars.
+#pragma once
+
+#include "scalars/displacements.h"
+#include "estimate/shape_estimate.h"
+
+namespace isostar {
+
+template <int D>
+struct Hints {
+  Kernel kernel = Kernel::Middle;                    // that places this octave's surface best
+  const Displacements<D>* displacements = nullptr;  // null, or without places: none
+  [[nodiscard]] bool displaced() const { return displacements != nullptr && displacements->places() != 0; }
+};
+
+}  // namespace isostar

@@ -1,0 +1,31 @@
+// A scalar from its neighbours on both sides, where a coarser pass has told them.
+#pragma once
+
+#include "util/reciprocal.h"
+#include "scalars/scalar_window.h"
+
+namespace isostar {
+
+template <int D>
+struct Interpolation {
+  int64_t magnitude = 0;  // half quanta
+  int confidence = 0;     // 0: no two opposite neighbours are known … 3
+
+  /// The mean of the pairs of opposite neighbours along the axes.
+  static Interpolation of(const ScalarWindow<D>& scalars, std::size_t r, int x, bool positive) {
+    const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
+    int64_t sum = 0;
+    int pairs = 0;
+    forEachAxis<D>([&](auto a) {
+      const int32_t before = here[-ScalarWindow<D>::stride(a)], after = here[ScalarWindow<D>::stride(a)];
+      // A mask instead of a branch, which nobody could predict.
+      const int32_t known = before == Scalars<D>::kUnknown || after == Scalars<D>::kUnknown ? 0 : -1;
+      sum += (int64_t{before} + after) & known;
+      pairs -= known;
+    });
+    const int64_t mean = (positive ? sum : -sum) * reciprocal(2 * pairs) >> 16;
+    return {std::max<int64_t>(0, mean), std::min(pairs, 3)};
+  }
+};
+
+}  // namespace isostar

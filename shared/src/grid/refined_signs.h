@@ -1,0 +1,217 @@
+// From one octave's signs to the next (§5.2): what the coarser one tells of the finer, and where it may still change.
+#pragma once
+
+#include <optional>
+
+#include "grid/signs.h"
+
+namespace isostar {
+
+/// An odd last plane is the coarser octave's last plane, not its last but one as refined() has it at first.
+template <int D>
+void copyEndPlane(const Signs<D>& coarse, Signs<D>& fine, int axis) {
+  const auto& lattice = fine.lattice();
+  Coordinates<D> v{};
+  v[axis] = lattice.last[axis];
+  for (;;) {
+    Coordinates<D> parent;
+    for (int a = 0; a < D; ++a) parent[a] = lattice.parent(a, v[a]);
+    fine.set(v, coarse.at(parent));
+    int a = 0;
+    for (; a < D; ++a) {
+      if (a == axis) continue;
+      if (++v[a] <= lattice.last[a]) break;
+      v[a] = 0;
+    }
+    if (a == D) return;
+  }
+}
+
+/// The signs of the next octave as far as the coarser one tells: a fresh vertex has its lower neighbour's sign for now.
+template <int D>
+Signs<D> refined(const Signs<D>& coarse) {
+  // Each bit of a nibble twice.
+  static constexpr std::array<uint8_t, 16> kTwice{0x00, 0x03, 0x0C, 0x0F, 0x30, 0x33, 0x3C, 0x3F,
+                                                  0xC0, 0xC3, 0xCC, 0xCF, 0xF0, 0xF3, 0xFC, 0xFF};
+  Signs<D> fine(coarse.lattice().finer());
+  const auto& table = fine.table();
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    const auto at = table.brick(place);
+    Coordinates<D> half;
+    for (int a = 0; a < D; ++a) half[a] = at[a] / 2;
+    const uint32_t index = coarse.index(coarse.table().place(half));
+    if (index <= Signs<D>::kPositive) {
+      fine.setUniform(place, index);
+      continue;
+    }
+    const auto& parent = coarse.brick(index).rows;
+    Brick<D> brick;
+    Coordinates<D> v{};
+    for (auto& row : brick.rows) {
+      std::size_t parentRow = 0;
+      for (int a = D - 1; a >= 1; --a) parentRow = parentRow * kBrickSide + static_cast<std::size_t>((at[a] & 1) * 4 + v[a] / 2);
+      row = kTwice[parent[parentRow] >> ((at[0] & 1) * 4) & 15];
+      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    }
+    fine.put(place, brick);
+  }
+  for (int a = 0; a < D; ++a) {
+    if ((fine.lattice().last[a] & 1) != 0) copyEndPlane(coarse, fine, a);
+  }
+  return fine;
+}
+
+/// The most bricks that refined() makes of an octave, on the table of the finer one.
+template <int D>
+uint64_t mostRefinedBricks(const Signs<D>& coarse, const BrickTable<D>& finer) {
+  uint64_t bricks = uint64_t{coarse.brickCount()} << D;
+  for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
+  return bricks;
+}
+
+/// The even bits of a byte, side by side.
+constexpr unsigned evenBits(unsigned byte) {
+  byte &= 0x55;
+  byte = (byte | byte >> 1) & 0x33;
+  return (byte | byte >> 2) & 0x0F;
+}
+
+/// The uniform brick that all bricks share which a brick of the coarser octave covers.
+template <int D>
+std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>& at) {
+  std::optional<uint32_t> common;
+  for (std::size_t n = 0; n < power(2, D); ++n) {
+    Coordinates<D> finer;
+    for (int a = 0; a < D; ++a) finer[a] = std::min(at[a] * 2 + static_cast<int32_t>(n >> a & 1), fine.table().count(a) - 1);
+    const uint32_t index = fine.index(fine.table().place(finer));
+    if (index > Signs<D>::kPositive || index != common.value_or(index)) return std::nullopt;
+    common = index;
+  }
+  return common;
+}
+
+/// A brick of the coarser octave; beyond the lattice its last plane goes on, as it does in the finer bricks.
+template <int D>
+Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
+  const auto& table = fine.table();
+  Brick<D> brick;
+  Coordinates<D> v{};
+  for (auto& row : brick.rows) {
+    Coordinates<D> finer{};
+    std::size_t finerRow = 0;
+    for (int a = D - 1; a >= 1; --a) {
+      const int32_t plane = std::min((at[a] * kBrickSide + v[a]) * 2, fine.lattice().last[a]);
+      finer[a] = plane / kBrickSide;
+      finerRow = finerRow * kBrickSide + static_cast<std::size_t>(plane % kBrickSide);
+    }
+    const std::size_t first = table.place(finer);
+    auto signsOf = [&](int32_t x) {
+      const int32_t end = table.count(0) - 1;
+      const unsigned signs = fine.brickAt(first + static_cast<std::size_t>(std::min(x, end))).rows[finerRow];
+      return x <= end ? signs : (signs >> (kBrickSide - 1)) * 0xFFu;
+    };
+    row = static_cast<uint8_t>(evenBits(signsOf(at[0] * 2)) | evenBits(signsOf(at[0] * 2 + 1)) << 4);
+    for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+  }
+  return brick;
+}
+
+/// The signs of the octave before, whose vertices are some of this one's.
+template <int D>
+Signs<D> coarsened(const Signs<D>& fine) {
+  Signs<D> coarse(Lattice<D>(fine.lattice().box, fine.lattice().step * 2));
+  const auto& table = coarse.table();
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    const auto at = table.brick(place);
+    if (const auto uniform = uniformBelow<D>(fine, at)) {
+      coarse.setUniform(place, *uniform);
+    } else {
+      coarse.put(place, coarsenedBrick<D>(fine, at));
+    }
+  }
+  return coarse;
+}
+
+/// Has the part of a mixed brick that faces the direction -d a vertex that is not of the sign given?
+template <int D>
+bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t uniform) {
+  const unsigned mask = d[0] == 0 ? 0xFFu : d[0] > 0 ? 0x01u : 0x80u;
+  const unsigned flip = uniform == Signs<D>::kPositive ? 0xFFu : 0u;
+  Coordinates<D> from{}, to{};
+  for (int a = 1; a < D; ++a) {
+    from[a] = d[a] < 0 ? kBrickSide - 1 : 0;
+    to[a] = d[a] > 0 ? 0 : kBrickSide - 1;
+  }
+  for (auto v = from;;) {
+    std::size_t r = 0;
+    for (int a = D - 1; a >= 1; --a) r = r * kBrickSide + static_cast<std::size_t>(v[a]);
+    if (((brick.rows[r] ^ flip) & mask) != 0) return true;
+    int a = 1;
+    for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
+    if (a == D) return false;
+  }
+}
+
+/// Does a uniform brick touch a vertex of the other sign?
+template <int D>
+bool touchesOther(const Signs<D>& signs, std::size_t place, const Coordinates<D>& at) {
+  const uint32_t uniform = signs.index(place);
+  Coordinates<D> d;
+  d.fill(-1);
+  for (const std::size_t other : signs.table().around(at)) {
+    if (other != BrickTable<D>::kNowhere) {
+      const uint32_t index = signs.index(other);
+      if (index <= Signs<D>::kPositive ? index != uniform : facingVaries<D>(signs.brick(index), d, uniform)) return true;
+    }
+    for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+  }
+  return false;
+}
+
+/// Marks the bricks that hold both signs or touch a vertex of the other sign; 1 marked, 0 quiet, by place.
+template <int D>
+std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
+  const auto& table = signs.table();
+  std::vector<uint8_t> active(table.total(), 0);
+  Coordinates<D> at{};
+  for (std::size_t place = 0; place < table.total(); ++place, table.advance(at)) {
+    const bool mixed = signs.index(place) > Signs<D>::kPositive;
+    if (mixed) active[place] = 1;
+    bool differs = false;
+    for (int a = 0; a < D && !mixed; ++a) {
+      differs = differs || (at[a] + 1 < table.count(a) && signs.index(place + table.stride(a)) != signs.index(place));
+    }
+    if (!mixed && !differs) continue;
+    Coordinates<D> from, to;
+    for (int a = 0; a < D; ++a) {
+      from[a] = std::max(at[a] - 1, 0);
+      to[a] = std::min(at[a] + (mixed ? 1 : 2), table.count(a) - 1);  // a brick that differs is one further
+    }
+    for (auto v = from;;) {
+      uint8_t& mark = active[table.place(v)];
+      if (mark == 0) mark = 2;
+      int a = 0;
+      for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
+      if (a == D) break;
+    }
+  }
+  for (std::size_t place = 0; place < table.total(); ++place) {
+    if (active[place] == 2) active[place] = touchesOther<D>(signs, place, table.brick(place)) ? 1 : 0;
+  }
+  return active;
+}
+
+/// After vertices of a brick have changed: marks its quiet neighbours that now touch a vertex of the other sign.
+template <int D>
+void activateAround(const Signs<D>& signs, std::size_t place, std::vector<uint8_t>& active) {
+  const auto& table = signs.table();
+  active[place] = 1;
+  Coordinates<D> d;  // in which the brick lies, seen from a neighbour
+  d.fill(1);
+  for (const std::size_t other : table.around(table.brick(place))) {
+    if (other != BrickTable<D>::kNowhere && active[other] == 0 && facingVaries<D>(signs.brickAt(place), d, signs.index(other))) active[other] = 1;
+    for (int a = 0; a < D && --d[a] == -2; ++a) d[a] = 1;
+  }
+}
+
+}  // namespace isostar

@@ -1,0 +1,118 @@
+#include "surface/time_slice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isostar {
+namespace {
+
+/// A plane across time of a surface in four dimensions: bricks of three lie in those of four one behind the other.
+class Plane {
+ public:
+  Plane(const Surface<4>& surface, int32_t plane)
+      : surface_(surface), first_(static_cast<std::size_t>(plane / kBrickSide) * surface.signs.table().stride(3)),
+        local_(static_cast<std::size_t>(plane % kBrickSide)) {}
+
+  [[nodiscard]] Brick<3> signs(std::size_t place) const {
+    const auto& rows = surface_.signs.brickAt(first_ + place).rows;
+    Brick<3> brick;
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(local_ * brick.rows.size()), brick.rows.size(), brick.rows.begin());
+    return brick;
+  }
+  [[nodiscard]] bool has(std::size_t place) const { return surface_.scalars.has(first_ + place); }
+  [[nodiscard]] int gradient(std::size_t place) const { return surface_.scalars.gradient(first_ + place); }
+  /// As Scalars keep them.
+  [[nodiscard]] const int32_t* values(std::size_t place) const {
+    return surface_.scalars.at(first_ + place).value.data() + local_ * Scalars<3>::kVertices;
+  }
+
+ private:
+  const Surface<4>& surface_;
+  std::size_t first_, local_;
+};
+
+void copyPlane(const Plane& plane, TimeSlice& slice) {
+  for (std::size_t place = 0; place < slice.signs.table().total(); ++place) {
+    slice.signs.put(place, plane.signs(place));
+    if (!plane.has(place)) continue;
+    slice.scalars.setGradient(place, plane.gradient(place));
+    std::copy_n(plane.values(place), Scalars<3>::kVertices, slice.scalars.writable(place).value.begin());
+  }
+}
+
+class Blend {
+ public:
+  /// `share`: of the later plane.
+  Blend(const Surface<4>& surface, const Plane& before, const Plane& after, double share)
+      : surface_(surface), before_(before), after_(after), share_(share) {}
+
+  void into(TimeSlice& slice) {
+    const std::size_t places = slice.signs.table().total();
+    double largest = 1;
+    for (std::size_t place = 0; place < places; ++place) {
+      forKnown(place, [&](std::size_t, double scalar) { largest = std::max(largest, std::abs(scalar)); });
+    }
+    const int finer = std::clamp(29 - std::ilogb(largest), 0, 12);
+    for (std::size_t place = 0; place < places; ++place) {
+      // Where nothing is known of either plane both have the same sign.
+      Brick<3> signs = before_.signs(place);
+      if (before_.has(place) || after_.has(place)) {
+        auto& values = slice.scalars.writable(place).value;
+        forKnown(place, [&](std::size_t v, double scalar) {
+          const auto size = static_cast<int32_t>(std::max(1L, std::lround(std::ldexp(std::abs(scalar), finer))));
+          values[v] = scalar > 0 ? size : -size;
+          const auto bit = static_cast<uint8_t>(1u << v % kBrickSide);
+          auto& row = signs.rows[v / kBrickSide];
+          row = static_cast<uint8_t>(scalar > 0 ? row | bit : row & ~bit);
+        });
+      }
+      slice.signs.put(place, signs);
+    }
+  }
+
+ private:
+  /// Calls visit(vertex, scalar) where a scalar is known; in half quanta, and never zero on the wrong side.
+  template <class Visit>
+  void forKnown(std::size_t place, Visit visit) const {
+    if (!before_.has(place) && !after_.has(place)) return;
+    const int32_t* a = before_.values(place);
+    const int32_t* b = after_.values(place);
+    for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
+      const bool first = a[v] != Scalars<3>::kUnknown, second = b[v] != Scalars<3>::kUnknown;
+      if (first && second) visit(v, (1 - share_) * scalar(a[v]) + share_ * scalar(b[v]));
+      else if (first || second) visit(v, scalar(first ? a[v] : b[v]));
+    }
+  }
+  [[nodiscard]] double scalar(int32_t value) const { return value >= 0 ? surface_.size(value) : -surface_.size(value); }
+
+  const Surface<4>& surface_;
+  const Plane& before_;
+  const Plane& after_;
+  double share_;
+};
+
+}  // namespace
+
+TimeSlice sliceAt(const Surface<4>& surface, double time) {
+  const auto& lattice = surface.signs.lattice();
+  TimeSlice slice;
+  slice.signs = Signs<3>(Lattice<3>({lattice.box[0], lattice.box[1], lattice.box[2]}, lattice.step));
+  slice.scalars = Scalars<3>(slice.signs.table().total());
+  const int32_t plane = std::clamp(static_cast<int32_t>(time) / lattice.step, 0, std::max(0, lattice.last[3] - 1));
+  const double start = lattice.sample(3, plane), end = lattice.sample(3, plane + 1);
+  if (time <= start || time >= end) {
+    copyPlane(Plane(surface, time <= start ? plane : plane + 1), slice);
+    slice.positiveOffset = surface.positiveOffset;
+    slice.negativeOffset = surface.negativeOffset;
+  } else {
+    Blend(surface, Plane(surface, plane), Plane(surface, plane + 1), (time - start) / (end - start)).into(slice);
+  }
+  return slice;
+}
+
+uint64_t memoryToSlice(const Surface<4>& surface) {
+  const uint64_t places = surface.signs.table().stride(3), known = surface.scalars.brickCount();
+  return Signs<3>::memoryToFill(places, surface.signs.brickCount() + known) + Scalars<3>::memoryOf(places, std::min(places, known));
+}
+
+}  // namespace isostar
