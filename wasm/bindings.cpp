@@ -57,12 +57,12 @@ class RawDecoder {
     room_.resize(n);
     return viewOf(room_);
   }
-  void accept(size_t n) { decoder_.feed(std::as_bytes(std::span(room_).first(n))); }
+  void accept(size_t n) { decoder_.accept(std::as_bytes(std::span(room_).first(n))); }
   void finish() { decoder_.finish(); }
   bool advance() { return decoder_.advance(); }
 
   bool ready() const { return decoder_.ready(); }
-  bool complete() const { return decoder_.complete(); }
+  bool isFinal() const { return decoder_.isFinal(); }
   int level() const { return decoder_.level(); }
   int levels() const { return decoder_.levels(); }
   double bytes() const { return double(decoder_.bytes()); }
@@ -107,7 +107,7 @@ EMSCRIPTEN_BINDINGS(isostar) {
       .function("finish", &RawDecoder::finish)
       .function("advance", &RawDecoder::advance)
       .function("ready", &RawDecoder::ready)
-      .function("complete", &RawDecoder::complete)
+      .function("complete", &RawDecoder::isFinal)
       .function("level", &RawDecoder::level)
       .function("levels", &RawDecoder::levels)
       .function("bytes", &RawDecoder::bytes)

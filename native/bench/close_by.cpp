@@ -4,7 +4,7 @@
 
 namespace isostar::bench {
 
-nlohmann::ordered_json closeBy(const Subject& subject, double other) {
+nlohmann::ordered_json further(const Subject& subject, double other) {
   const double bound = EncodeOptions{}.maxError;
   return {{"isovalue", subject.isovalue},
           {"other", other},

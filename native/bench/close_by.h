@@ -7,6 +7,6 @@
 namespace isostar::bench {
 
 /// Bytes of two isosurfaces, each alone and both in one stream (§5.4).
-nlohmann::ordered_json closeBy(const Subject&, double other);
+nlohmann::ordered_json further(const Subject&, double other);
 
 }  // namespace isostar::bench

@@ -51,7 +51,7 @@ std::vector<std::byte> encodeIsostarLossless(const Subject& subject) {
 
 Decoder decodeIsostar(std::span<const std::byte> prefix) {
   Decoder decoder;
-  decoder.feed(prefix);
+  decoder.accept(prefix);
   decoder.finish();
   while (decoder.advance()) {
   }

@@ -36,7 +36,7 @@ void addSubjectCommands(CLI::App& app, const std::shared_ptr<Arguments>& argumen
 
   CLI::App& near = addSubject(app, "near", "Two isosurfaces, alone and together", arguments->subject);
   near.add_option("--near", arguments->near, "The second isovalue")->required();
-  near.callback([arguments] { std::cout << closeBy(readSubject(arguments->subject), arguments->near) << "\n"; });
+  near.callback([arguments] { std::cout << further(readSubject(arguments->subject), arguments->near) << "\n"; });
 }
 
 void addTetrahedra(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {

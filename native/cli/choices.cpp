@@ -104,7 +104,7 @@ CLI::Option* addFrame(CLI::App& app, Frame& value, const std::string& help) {
 }
 
 /// "510.5,520.5".
-CLI::Option* addNear(CLI::App& app, std::vector<double>& values, const std::string& help) {
+CLI::Option* addFurther(CLI::App& app, std::vector<double>& values, const std::string& help) {
   constexpr std::size_t kMost = 15;
   return app.add_option("--near", values, help)
       ->delimiter(',')

@@ -17,7 +17,7 @@ enum class Units : uint8_t { Grid, World };
 
 CLI::Option* addPolygonizer(CLI::App&, Polygonizer&, const std::string& help);
 CLI::Option* addFrame(CLI::App&, Frame&, const std::string& help);
-CLI::Option* addNear(CLI::App&, std::vector<double>&, const std::string& help);
+CLI::Option* addFurther(CLI::App&, std::vector<double>&, const std::string& help);
 CLI::Option* addUnits(CLI::App&, Units&, const std::string& help);
 CLI::Option* addUnits(CLI::App&, std::optional<Units>&, const std::string& help);  // no default
 CLI::Option* addSampleType(CLI::App&, std::optional<SampleType>&, const std::string& help);

@@ -119,8 +119,8 @@ std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions o
 
 /// Further isovalues are none of those given before; adaptive streams have none.
 void requireDistinct(const EncodeOptions& options) {
-  if (options.adaptive && !options.near.empty()) throw UsageFault("--near and --adaptive do not go together");
-  std::vector<double> all = options.near;
+  if (options.adaptive && !options.furtherIsovalues.empty()) throw UsageFault("--near and --adaptive do not go together");
+  std::vector<double> all = options.furtherIsovalues;
   all.push_back(options.isovalue);
   std::sort(all.begin(), all.end());
   const auto twice = std::adjacent_find(all.begin(), all.end());
@@ -131,7 +131,7 @@ void requireDistinct(const EncodeOptions& options) {
 
 /// Streams of several isovalues, and those of one topology, do not tell where a domain ends.
 bool endsAtDomain(const EncodeOptions& options) {
-  return options.near.empty() && !options.preserveTopology;
+  return options.furtherIsovalues.empty() && !options.preserveTopology;
 }
 
 void leaveDomain(LoadedVolume& volume) {
@@ -231,7 +231,7 @@ void addEncode(CLI::App& app) {
       ->required();
   command.add_option("--iso", arguments->source.isovalue, "The isovalue; samples above it are inside; 0 for a mesh")
       ->check(kFinite);
-  addNear(command, options.near, "Further isovalues close by, which reuse what the first one tells");
+  addFurther(command, options.furtherIsovalues, "Further isovalues close by, which reuse what the first one tells");
   command
       .add_option("--scalar", arguments->source.scalar, "Which scalar of a tetrahedral mesh; else the marked or first")
       ->option_text("NAME");

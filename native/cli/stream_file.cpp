@@ -24,7 +24,7 @@ StreamInfo inspectStream(std::span<const std::byte> bytes, const std::string& pa
 Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) {
   ProgressBar bar("decoding");
   Decoder decoder(nativeLimits());
-  decoder.feed(bytes);
+  decoder.accept(bytes);
   decoder.finish();
   while (decoder.advance()) bar.show(static_cast<double>(decoder.bytes()) / static_cast<double>(bytes.size()));
   const Error error = decoder.error();

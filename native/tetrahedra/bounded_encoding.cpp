@@ -23,7 +23,7 @@ void require(Error error, const std::string& path) {
 
 Mesh decodedSurface(const std::vector<std::byte>& stream, const EncodeOptions& options, const std::string& path) {
   Decoder decoder;
-  decoder.feed(stream);
+  decoder.accept(stream);
   decoder.finish();
   while (decoder.advance()) {
   }

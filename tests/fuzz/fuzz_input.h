@@ -38,8 +38,8 @@ class FuzzInput {
   std::span<const std::byte> rest_;
 };
 
-inline void demand(bool truth) {
-  if (!truth) std::abort();
+inline void demand(bool actual) {
+  if (!actual) std::abort();
 }
 
 inline void demandSound(const Mesh& mesh) {
@@ -71,10 +71,10 @@ inline void demandSoundSurfaces(const Decoder& decoder) {
 
 inline void demandHarmless(std::span<const std::byte> stream, const Limits& limits = kFuzzLimits) {
   Decoder decoder(limits);
-  decoder.feed(stream);
+  decoder.accept(stream);
   decoder.finish();
   while (decoder.advance()) demandSoundSurfaces(decoder);
-  demand(decoder.complete() || decoder.error() != Error::None);
+  demand(decoder.isFinal() || decoder.error() != Error::None);
   StreamInfo info;
   (void)inspect(stream, info);
 }

@@ -21,36 +21,36 @@ Header headerFrom(FuzzInput& input) {
   header.adaptive = meshes == 0;
   header.keepsTopology = meshes == 1;
   header.trimmed = meshes == 4 && header.dimension == 3;
-  for (int i = header.adaptive || header.trimmed ? 0 : input.between(0, 3); i > 0; --i) header.near.push_back(isovalueFrom(input));
+  for (int i = header.adaptive || header.trimmed ? 0 : input.between(0, 3); i > 0; --i) header.furtherIsovalues.push_back(isovalueFrom(input));
   header.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
   switch (input.between(0, 3)) {
     case 0: header.countWhole(1); break;
     case 1: header.countWhole(Header::kByteStep); break;
-    default: header.quantum = std::ldexp(1.0, input.between(0, 1) != 0 ? -10 : 8 * input.number<int8_t>() - 1);
+    default: header.quantizationStep = std::ldexp(1.0, input.between(0, 1) != 0 ? -10 : 8 * input.number<int8_t>() - 1);
   }
   return header;
 }
 
 /// A kind and level that may come next in a sound stream of so many layers.
-LayerHead expected(FuzzInput& input, const Header& header, int told) {
+LayerHead expected(FuzzInput& input, const Header& header, int coded) {
   constexpr int kPasses = 5;  // before further isovalues
-  const int octaves = header.octaves();
-  if (told == 0) return {};
-  if (told <= octaves) return {LayerKind::Refinement, told};
-  const int passes = told - octaves - 1;
-  if (header.adaptive) return {passes % 2 == 0 ? LayerKind::Octaves : LayerKind::Halving, std::min(passes / 2, 31)};
-  if (header.trimmed && passes == 0) return {LayerKind::Domain, octaves};
-  constexpr std::array<LayerKind, 4> kKinds{LayerKind::Displacement, LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving};
-  if (header.near.empty() || passes < kPasses) return {kKinds[static_cast<std::size_t>(input.between(0, 3))], octaves};
+  const int finestLevel = header.finestLevel();
+  if (coded == 0) return {};
+  if (coded <= finestLevel) return {LayerKind::Refinement, coded};
+  const int passes = coded - finestLevel - 1;
+  if (header.adaptive) return {passes % 2 == 0 ? LayerKind::Exponents : LayerKind::Magnitudes, std::min(passes / 2, 31)};
+  if (header.trimmed && passes == 0) return {LayerKind::Domain, finestLevel};
+  constexpr std::array<LayerKind, 4> kKinds{LayerKind::Displacement, LayerKind::Displacement, LayerKind::Exponents, LayerKind::Magnitudes};
+  if (header.furtherIsovalues.empty() || passes < kPasses) return {kKinds[static_cast<std::size_t>(input.between(0, 3))], finestLevel};
   const int further = passes - kPasses;
-  return {further % 3 == 0 ? LayerKind::NearSigns : LayerKind::NearGeometry, std::min(further / 3 + 1, 31)};
+  return {further % 3 == 0 ? LayerKind::FurtherSigns : LayerKind::FurtherGeometry, std::min(further / 3 + 1, 31)};
 }
 
-void writeLayer(FuzzInput& input, const Header& header, int told, std::vector<std::byte>& stream) {
-  LayerHead head = expected(input, header, told);
+void writeLayer(FuzzInput& input, const Header& header, int coded, std::vector<std::byte>& stream) {
+  LayerHead head = expected(input, header, coded);
   if (input.between(0, 15) == 0) {
     head.kind = static_cast<LayerKind>(input.between(0, 7));
-    head.level = input.between(0, std::max(header.octaves(), 3));
+    head.level = input.between(0, std::max(header.finestLevel(), 3));
   }
   const auto payload = input.bytes(static_cast<std::size_t>(input.byte()));
   head.bytes = payload.size();
@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   Header header = headerFrom(input);
   std::vector<std::byte> layers, stream;
   const int count = input.between(0, 20);
-  for (int told = 0; told < count; ++told) writeLayer(input, header, told, layers);
+  for (int coded = 0; coded < count; ++coded) writeLayer(input, header, coded, layers);
   header.bytes = layers.size();
   ByteWriter out(stream);
   write(out, header);

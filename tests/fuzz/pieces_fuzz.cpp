@@ -30,9 +30,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   const std::size_t first = input.byte(), next = std::size_t{input.byte()} + 1;
   const auto stream = input.rest();
   Decoder whole(kFuzzLimits), pieces(kFuzzLimits);
-  whole.feed(stream);
+  whole.accept(stream);
   for (std::size_t at = 0, length = first; at < stream.size(); at += std::exchange(length, next)) {
-    pieces.feed(stream.subspan(at, std::min(length, stream.size() - at)));
+    pieces.accept(stream.subspan(at, std::min(length, stream.size() - at)));
     (void)pieces.advance();
   }
   demand(outcomeOf(whole) == outcomeOf(pieces));

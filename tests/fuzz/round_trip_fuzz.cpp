@@ -22,17 +22,17 @@ Volume volumeFrom(FuzzInput& input, std::vector<float>& samples) {
 
 Mesh decoded(const std::vector<std::byte>& stream, const MeshOptions& options) {
   Decoder decoder(kFuzzLimits);
-  decoder.feed(stream);
+  decoder.accept(stream);
   decoder.finish();
   while (decoder.advance()) {
   }
   Mesh mesh;
-  demand(decoder.complete() && decoder.error() == Error::None && decoder.mesh(options, mesh) == Error::None);
+  demand(decoder.isFinal() && decoder.error() == Error::None && decoder.mesh(options, mesh) == Error::None);
   return mesh;
 }
 
 bool distinct(const EncodeOptions& options) {
-  std::vector<double> all = options.near;
+  std::vector<double> all = options.furtherIsovalues;
   all.push_back(options.isovalue);
   std::sort(all.begin(), all.end());
   return std::adjacent_find(all.begin(), all.end()) == all.end();
@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   options.maxError = input.between(1, 100) / 200.0;
   options.effort = input.between(1, 2);
   options.isovalue = input.between(0, 3) / 2.0;
-  for (int i = input.between(0, 5) / 2; i > 0; --i) options.near.push_back(options.isovalue + i * input.between(1, 9) / 4.0);
+  for (int i = input.between(0, 5) / 2; i > 0; --i) options.furtherIsovalues.push_back(options.isovalue + i * input.between(1, 9) / 4.0);
   std::vector<float> samples;
   const Volume volume = volumeFrom(input, samples);
   std::vector<std::byte> stream;
@@ -75,6 +75,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   demand(encode(volume, options, stream) == (distinct(options) ? error : Error::BadArgument));
   if (error != Error::None || !distinct(options)) return 0;
   demandKept(volume, options, options.isovalue, stream);
-  for (const double isovalue : options.near) demandKept(volume, options, isovalue, stream);
+  for (const double isovalue : options.furtherIsovalues) demandKept(volume, options, isovalue, stream);
   return 0;
 }

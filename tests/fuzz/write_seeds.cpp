@@ -50,7 +50,7 @@ void writeVolumes(SeedFolder& seeds) {
 void writeCloseByIsovalues(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({9, 8, 11})) {
     EncodeOptions options = turnOf(seeds.number());
-    options.near = {0.3, -0.2, 3};
+    options.furtherIsovalues = {0.3, -0.2, 3};
     seeds.write(field.volume(), options);
   }
 }
@@ -90,7 +90,7 @@ void writeVolumesOfOneTopology(SeedFolder& seeds) {
 void writeImages(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({21, 14, 1})) {
     EncodeOptions options = turnOf(seeds.number());
-    if (seeds.number() % 4 == 0) options.near = {0.5};
+    if (seeds.number() % 4 == 0) options.furtherIsovalues = {0.5};
     seeds.write(Image{field.samples, {21, 14}}, options);
   }
 }

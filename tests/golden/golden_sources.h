@@ -65,7 +65,7 @@ inline std::vector<GoldenSource> goldenSources() {
   options.lossless = true;
   sources.push_back(golden::of(golden::placed(), options));
   options.lossless = false;
-  options.near = {0.4, -0.3};
+  options.furtherIsovalues = {0.4, -0.3};
   sources.push_back(golden::of(sampled("near", cube, torus(cube)), options));
   sources.push_back(golden::of(within(halfSpace({0.6, 0.48, 0.64}, 12.7), sampled("trimmed", cube, sphere(cube))), {}));
   options = golden::withBound(0.4);

@@ -81,12 +81,12 @@ inline bool measure(const Decoder& decoder, GoldenSurface& surface) {
 /// All surfaces of a stream: of each isovalue, of the first and the last frame. None if it does not decode to its end.
 inline std::vector<GoldenSurface> surfacesOf(const std::string& name, const std::vector<std::byte>& stream) {
   Decoder decoder;
-  decoder.feed(stream);
+  decoder.accept(stream);
   decoder.finish();
   while (decoder.advance()) {
   }
   std::vector<GoldenSurface> surfaces;
-  if (!decoder.complete()) return surfaces;
+  if (!decoder.isFinal()) return surfaces;
   const StreamInfo& info = decoder.info();
   for (const double isovalue : info.isovalues) {
     for (const int32_t frame : {0, info.frames - 1}) {

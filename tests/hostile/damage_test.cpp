@@ -57,9 +57,9 @@ TEST(Damage, behindRightChecksumsItIsHarmless) {
 TEST(Damage, furtherIsovaluesAreHarmlessToo) {
   EncodeOptions options;
   options.maxError = 0.1;
-  options.near = {0.3, -0.2};
+  options.furtherIsovalues = {0.3, -0.2};
   expectHarmlessFlips(smallFields()[0], options);
-  options.near = {3};
+  options.furtherIsovalues = {3};
   expectHarmlessFlips(smallFields()[1], options);
 }
 

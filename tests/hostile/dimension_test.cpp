@@ -46,14 +46,14 @@ TEST(HostileDimensions, noiseIsHarmless) {
       header.size = size;
       header.countWhole(1);
       std::vector<std::pair<LayerHead, Bytes>> layers;
-      for (int level = 0; level <= header.octaves() + 4; ++level) {
-        const int further = level - header.octaves();
-        const LayerKind kind = level == 0 ? LayerKind::Base : further <= 0 ? LayerKind::Refinement : further == 1 ? LayerKind::Displacement : LayerKind::Octaves;
+      for (int level = 0; level <= header.finestLevel() + 4; ++level) {
+        const int further = level - header.finestLevel();
+        const LayerKind kind = level == 0 ? LayerKind::Base : further <= 0 ? LayerKind::Refinement : further == 1 ? LayerKind::Displacement : LayerKind::Exponents;
         Bytes payload(100);
         for (std::byte& b : payload) b = static_cast<std::byte>(random());
         if (kind == LayerKind::Displacement) payload[0] = std::byte{63 * 4 + 1};
-        if (kind == LayerKind::Octaves) payload[0] = static_cast<std::byte>(level & 1);
-        layers.push_back({{kind, std::min(level, header.octaves()), 0.1, 0, 0}, payload});
+        if (kind == LayerKind::Exponents) payload[0] = static_cast<std::byte>(level & 1);
+        layers.push_back({{kind, std::min(level, header.finestLevel()), 0.1, 0, 0}, payload});
       }
       (void)harmlesslyDecoded(assembled(header, layers));
     }

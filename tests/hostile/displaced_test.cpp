@@ -17,7 +17,7 @@ Header boxOf(int dimension) {
 /// The kinds of stream that may have displacements.
 std::vector<Header> headersOf(int dimension) {
   std::vector<Header> headers(2, boxOf(dimension));
-  headers[1].near = {3, -100};
+  headers[1].furtherIsovalues = {3, -100};
   if (dimension == 4) return headers;
   headers.push_back(boxOf(dimension));
   headers.back().keepsTopology = true;
@@ -31,7 +31,7 @@ template <int D>
 GeometryPass<D> anyPass(std::mt19937_64& random, bool displaced) {
   const auto below = [&](uint64_t end) { return static_cast<int>(random() % end); };
   GeometryPass<D> pass;
-  pass.kind = displaced && below(2) == 0 ? LayerKind::Displacement : below(2) == 0 ? LayerKind::Octaves : LayerKind::Halving;
+  pass.kind = displaced && below(2) == 0 ? LayerKind::Displacement : below(2) == 0 ? LayerKind::Exponents : LayerKind::Magnitudes;
   pass.members = static_cast<Members>(below(2));
   pass.depth = below(6);
   pass.allowed.fill(static_cast<uint32_t>(1 << below(20)));
@@ -49,7 +49,7 @@ Bytes anyStream(const Header& header, uint64_t seed) {
   for (auto& pass : passes) pass = anyPass<D>(random, true);
   for (auto& pass : further) pass = anyPass<D>(random, false);
   const double rate = std::array{0.5, 1.0, 0.1, 0.9}[seed % 4];
-  return madeUp<D>(header, passes, further, [&](auto tell) { return thrown<D>(random(), rate, tell); });
+  return madeUp<D>(header, passes, further, [&](auto code) { return thrown<D>(random(), rate, code); });
 }
 
 template <int D>
@@ -93,7 +93,7 @@ Bytes displacedByNoise(double rate, std::size_t length) {
   constexpr int kLayersBefore = 4;
   int layer = 0;
   return madeUp<3>(boxOf(3), {{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 1}}}, {},
-                   [&](auto tell) { return layer++ < kLayersBefore ? thrown<3>(1, rate, tell) : noiseOf(length, length); });
+                   [&](auto code) { return layer++ < kLayersBefore ? thrown<3>(1, rate, code) : noiseOf(length, length); });
 }
 
 TEST(HostileDisplacements, fieldsAreWithinTheirRange) {
@@ -110,7 +110,7 @@ TEST(HostileDisplacements, areNotOfAdaptiveMeshes) {
   Header header = boxOf(3);
   header.size = {5, 5, 5, 1};  // the base alone
   header.adaptive = true;
-  const Bytes dice = thrown<3>(1, 0.5, [&](auto& ask) { AdaptiveMesh<3>(header.base<3>()).base(ask); });
+  const Bytes dice = thrown<3>(1, 0.5, [&](auto& exchange) { AdaptiveMesh<3>(header.base<3>()).base(exchange); });
   const Bytes bytes = assembled(header, {{{LayerKind::Base, 0, 0, 0, 0}, dice}, {{LayerKind::Displacement, 0, 0, 0, 0}, Bytes(20, std::byte{5})}});
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::Corrupt);
 }
@@ -125,26 +125,26 @@ TEST(HostileDisplacements, ofNoSurfaceAreNone) {
 
 /// Answers as far as they can be, one way or the other.
 struct FarField : NoScalars {
-  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return (place + block) % 3 == 0 ? -4 : 4; }
+  [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const { return (brickIndex + block) % 3 == 0 ? -4 : 4; }
 };
 
 template <int D>
 void expectHarmlessWhereFarthest() {
   const Header header = boxOf(D);
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  Knowledge<D> known(header);
-  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<D>(1, 0.5, [&](auto& ask) { known.base(ask); })});
-  for (int level = 1; level <= header.octaves(); ++level) {
-    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0}, thrown<D>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
+  CodecState<D> known(header);
+  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<D>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
+  for (int level = 1; level <= header.finestLevel(); ++level) {
+    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0}, thrown<D>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
   }
   GeometryPass<D> pass;
   pass.kind = LayerKind::Displacement;
   pass.displacement = {1, 63};
   for (int i = 0; i < 3; ++i) {
     Bytes bytes = fieldsOf<D>(pass);
-    const Bytes far = told(known.signs, FarField(), [&](auto& ask) { known.geometry(ask, pass); });
+    const Bytes far = coded(known.signs, FarField(), [&](auto& exchange) { known.geometry(exchange, pass); });
     bytes.insert(bytes.end(), far.begin(), far.end());
-    layers.push_back({{LayerKind::Displacement, header.octaves(), 0, 0, 0}, bytes});
+    layers.push_back({{LayerKind::Displacement, header.finestLevel(), 0, 0, 0}, bytes});
   }
   EXPECT_EQ(harmlesslyDecoded(assembled(header, layers)).error(), Error::None);
 }
@@ -157,7 +157,7 @@ TEST(HostileDisplacements, theFarthestAreShown) {
 
 void expectWithinMemory(const Header& header, double rate, const std::vector<GeometryPass<3>>& passes, std::size_t least, std::size_t most, std::size_t step) {
   uint64_t seed = 5;
-  const Bytes bytes = madeUp<3>(header, passes, {}, [&](auto tell) { return thrown<3>(++seed, rate, tell); });
+  const Bytes bytes = madeUp<3>(header, passes, {}, [&](auto code) { return thrown<3>(++seed, rate, code); });
   for (std::size_t memory = least; memory <= most; memory += step) {
     Error error;
     EXPECT_LE(peakOf(bytes, {1u << 26, 1u << 26, memory}, error), memory + kModels + bytes.size()) << memory << (header.keepsTopology ? " bytes, welded" : " bytes");
@@ -168,16 +168,16 @@ void expectWithinMemory(const Header& header, double rate, const std::vector<Geo
 /// Before and after scalars, of as much surface as there can be and of a table without any.
 TEST(HostileDisplacements, stayWithinTheMemoryAllowed) {
   constexpr std::size_t kMegabyte = 1u << 20;
-  const GeometryPass<3> displacement{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 20}}, octaves{};
+  const GeometryPass<3> displacement{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 20}}, exponents{};
   Header header = boxOf(3);
   for (const bool welded : {false, true}) {
     header.size = {50, 60, 40, 1};
     header.keepsTopology = welded;
-    expectWithinMemory(header, 0.5, {displacement, octaves, displacement}, kMegabyte / 2, 3 * kMegabyte, kMegabyte / 2);
+    expectWithinMemory(header, 0.5, {displacement, exponents, displacement}, kMegabyte / 2, 3 * kMegabyte, kMegabyte / 2);
   }
   header.size = {2, 2, 1 << 23, 1};
   header.keepsTopology = false;
-  expectWithinMemory(header, 0, {octaves, displacement}, 11 * kMegabyte, 17 * kMegabyte, 2 * kMegabyte);
+  expectWithinMemory(header, 0, {exponents, displacement}, 11 * kMegabyte, 17 * kMegabyte, 2 * kMegabyte);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options, c
 inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits& limits = kTight) {
   const Bytes copy(bytes.begin(), bytes.end());
   Decoder decoder(limits);
-  decoder.feed(copy);
+  decoder.accept(copy);
   decoder.finish();
   while (decoder.advance()) {
     for (const Polygonizer polygonizer : kPolygonizers) {
@@ -49,7 +49,7 @@ inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits&
       }
     }
   }
-  EXPECT_TRUE(decoder.complete() || decoder.error() != Error::None);
+  EXPECT_TRUE(decoder.isFinal() || decoder.error() != Error::None);
   EXPECT_LE(decoder.bytes(), bytes.size());
   Mesh mesh;
   EXPECT_EQ(decoder.mesh({}, mesh) == Error::Truncated, !decoder.ready());

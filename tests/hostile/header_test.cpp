@@ -101,7 +101,7 @@ TEST(HostileHeader, numbersThatAreNone) {
   }
   for (double bad : {0x1p1000, 0x1p-1000}) {
     Header header = plausible();
-    header.quantum = bad;
+    header.quantizationStep = bad;
     EXPECT_EQ(errorOf(header), Error::Corrupt);
   }
   Header flat = plausible();
@@ -111,15 +111,15 @@ TEST(HostileHeader, numbersThatAreNone) {
 
 TEST(HostileHeader, furtherIsovaluesThatCannotBe) {
   Header header = plausible();
-  header.near = {1, 2};
+  header.furtherIsovalues = {1, 2};
   EXPECT_EQ(errorOf(header), Error::None);
-  header.near = {1, std::numeric_limits<double>::infinity()};
+  header.furtherIsovalues = {1, std::numeric_limits<double>::infinity()};
   EXPECT_EQ(errorOf(header), Error::Corrupt);
-  header.near = std::vector<double>(15, 1.0);
+  header.furtherIsovalues = std::vector<double>(15, 1.0);
   EXPECT_EQ(errorOf(header), Error::None);
-  header.near.push_back(1);
+  header.furtherIsovalues.push_back(1);
   EXPECT_EQ(errorOf(header), Error::Corrupt);
-  header.near = {1};
+  header.furtherIsovalues = {1};
   header.adaptive = true;
   EXPECT_EQ(errorOf(header), Error::Corrupt);
 }
@@ -127,7 +127,7 @@ TEST(HostileHeader, furtherIsovaluesThatCannotBe) {
 TEST(HostileHeader, layersOfIsovaluesInADisorder) {
   const auto field = sampled("sphere", {9, 9, 9}, sphere({9, 9, 9}));
   EncodeOptions options;
-  options.near = {0.3, 0.5};
+  options.furtherIsovalues = {0.3, 0.5};
   const Bytes good = encoded(field, options);
   const Anatomy anatomy(good);
   std::vector<std::pair<LayerHead, Bytes>> layers;
@@ -140,7 +140,7 @@ TEST(HostileHeader, layersOfIsovaluesInADisorder) {
       auto other = layers;
       other[i].first.level = number;
       (void)errorOf(assembled(anatomy.header, other));
-      other[i].first.kind = number % 2 == 0 ? LayerKind::NearSigns : LayerKind::NearGeometry;
+      other[i].first.kind = number % 2 == 0 ? LayerKind::FurtherSigns : LayerKind::FurtherGeometry;
       (void)errorOf(assembled(anatomy.header, other));
     }
     auto early = layers;
@@ -168,8 +168,8 @@ TEST(HostileHeader, layersInADisorder) {
     (void)errorOf(assembled(anatomy.header, twice));
     std::swap(swapped[i], swapped[(i + 1) % layers.size()]);
     (void)errorOf(assembled(anatomy.header, swapped));
-    if (anatomy.heads[i].level == anatomy.header.octaves() && i > 0 &&
-        anatomy.heads[i - 1].level == anatomy.header.octaves())
+    if (anatomy.heads[i].level == anatomy.header.finestLevel() && i > 0 &&
+        anatomy.heads[i - 1].level == anatomy.header.finestLevel())
       continue;
     EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt) << "layer " << i << " twice";
   }
@@ -206,7 +206,7 @@ TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
 
 TEST(HostileHeader, moreLayersThanThereAre) {
   std::vector<std::pair<LayerHead, Bytes>> layers(1000, {LayerHead{LayerKind::Base, 0, 0}, Bytes(4)});
-  for (std::size_t i = 1; i < layers.size(); ++i) layers[i].first.kind = LayerKind::Octaves;
+  for (std::size_t i = 1; i < layers.size(); ++i) layers[i].first.kind = LayerKind::Exponents;
   const Bytes bytes = assembled(plausible(), layers);
   EXPECT_EQ(errorOf(bytes), Error::Corrupt);
   StreamInfo info;

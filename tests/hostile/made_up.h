@@ -30,22 +30,22 @@ Bytes fieldsOf(const GeometryPass<D>& pass) {
 template <int D, class Payload>
 Bytes madeUp(const Header& header, const std::vector<GeometryPass<D>>& passes, const std::vector<GeometryPass<D>>& further, Payload payload) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  Knowledge<D> known(header);
-  const auto add = [&](LayerKind kind, int level, Bytes bytes, auto tell) {
-    const Bytes told = payload(tell);
-    bytes.insert(bytes.end(), told.begin(), told.end());
+  CodecState<D> known(header);
+  const auto add = [&](LayerKind kind, int level, Bytes bytes, auto code) {
+    const Bytes coded = payload(code);
+    bytes.insert(bytes.end(), coded.begin(), coded.end());
     layers.push_back({{kind, level, 0.1, 0, 0}, bytes});
   };
-  add(LayerKind::Base, 0, {}, [&](auto& ask) { known.base(ask); });
-  for (int level = 1; level <= header.octaves(); ++level) add(LayerKind::Refinement, level, {}, [&](auto& ask) { known.refine(ask); });
-  if (header.trimmed) add(LayerKind::Domain, header.octaves(), {}, [&](auto& ask) { known.tellDomain(ask); });
-  for (const auto& pass : passes) add(pass.kind, header.octaves(), fieldsOf<D>(pass), [&](auto& ask) { known.geometry(ask, pass); });
-  for (int number = 1; number <= static_cast<int>(header.near.size()); ++number) {
-    add(LayerKind::NearSigns, number, {}, [&](auto& ask) { known.nearSigns(ask, number); });
+  add(LayerKind::Base, 0, {}, [&](auto& exchange) { known.base(exchange); });
+  for (int level = 1; level <= header.finestLevel(); ++level) add(LayerKind::Refinement, level, {}, [&](auto& exchange) { known.refine(exchange); });
+  if (header.trimmed) add(LayerKind::Domain, header.finestLevel(), {}, [&](auto& exchange) { known.codeDomain(exchange); });
+  for (const auto& pass : passes) add(pass.kind, header.finestLevel(), fieldsOf<D>(pass), [&](auto& exchange) { known.geometry(exchange, pass); });
+  for (int number = 1; number <= static_cast<int>(header.furtherIsovalues.size()); ++number) {
+    add(LayerKind::FurtherSigns, number, {}, [&](auto& exchange) { known.furtherSigns(exchange, number); });
     for (const auto& pass : further) {
       Bytes bytes = fieldsOf<D>(pass);
       bytes.insert(bytes.begin(), static_cast<std::byte>(pass.kind));
-      add(LayerKind::NearGeometry, number, bytes, [&](auto& ask) { known.nearGeometry(ask, pass); });
+      add(LayerKind::FurtherGeometry, number, bytes, [&](auto& exchange) { known.furtherGeometry(exchange, pass); });
     }
   }
   return assembled(header, layers);
@@ -58,7 +58,7 @@ inline constexpr std::size_t kModels = 9u << 18;
 inline std::size_t peakOf(const Bytes& bytes, const Limits& limits, Error& error) {
   const Allocation allocation;
   Decoder decoder(limits);
-  decoder.feed(bytes);
+  decoder.accept(bytes);
   decoder.finish();
   while (decoder.advance()) {
     Mesh mesh;

@@ -28,27 +28,27 @@ bool isTooLarge(const Decoder& decoder, const MeshOptions& options) {
 /// Decodes all, and makes what there is to see after each layer.
 Spent spentOn(const Bytes& bytes, std::size_t memory) {
   const Allocation allocation;
-  Spent spent;
+  Spent exhausted;
   Decoder decoder({uint64_t{1} << 31, uint64_t{1} << 26, memory});
-  decoder.feed(bytes);
+  decoder.accept(bytes);
   decoder.finish();
   while (decoder.advance()) {
     for (const Polygonizer polygonizer : kPolygonizers) {
       MeshOptions options;
       options.polygonizer = polygonizer;
       options.isovalue = decoder.info().isovalues.back();
-      const bool told = isTooLarge(decoder, options);
+      const bool coded = isTooLarge(decoder, options);
       // Between two frames, or between two isovalues.
       options.isovalue = (decoder.info().isovalues.front() + decoder.info().isovalues.back()) / 2;
       options.time = decoder.info().frames > 1 ? 0.5 : 0;
       const bool between = isTooLarge(decoder, options);
-      spent.overLimit = spent.overLimit || told || between;
+      exhausted.overLimit = exhausted.overLimit || coded || between;
     }
   }
-  EXPECT_TRUE(decoder.complete() || decoder.error() == Error::Truncated || decoder.error() == Error::OverLimit) << name(decoder.error());
-  spent.overLimit = spent.overLimit || decoder.error() == Error::OverLimit;
-  spent.peak = allocation.peak();
-  return spent;
+  EXPECT_TRUE(decoder.isFinal() || decoder.error() == Error::Truncated || decoder.error() == Error::OverLimit) << name(decoder.error());
+  exhausted.overLimit = exhausted.overLimit || decoder.error() == Error::OverLimit;
+  exhausted.peak = allocation.peak();
+  return exhausted;
 }
 
 void expectWithin(const Bytes& bytes, int dimension, std::size_t uncounted = 0) {
@@ -56,9 +56,9 @@ void expectWithin(const Bytes& bytes, int dimension, std::size_t uncounted = 0) 
   const Spent free = spentOn(bytes, SIZE_MAX);
   EXPECT_FALSE(free.overLimit);
   for (std::size_t memory = free.peak / 48; memory < free.peak; memory += 2 * memory - memory / 5) {
-    const Spent spent = spentOn(bytes, memory);
-    EXPECT_LE(spent.peak, memory + beside) << memory << " bytes allowed; " << free.peak << " would be used";
-    EXPECT_TRUE(spent.overLimit || memory + beside >= free.peak) << memory;
+    const Spent exhausted = spentOn(bytes, memory);
+    EXPECT_LE(exhausted.peak, memory + beside) << memory << " bytes allowed; " << free.peak << " would be used";
+    EXPECT_TRUE(exhausted.overLimit || memory + beside >= free.peak) << memory;
   }
   // What must be counted beforehand is at most this much more than what is used.
   EXPECT_FALSE(spentOn(bytes, 2 * free.peak).overLimit) << free.peak;
@@ -79,7 +79,7 @@ TEST(HostileMemory, volumes) {
 TEST(HostileMemory, closeByIsovalues) {
   const Size size{50, 61, 57};
   EncodeOptions options;
-  options.near = {0.1, -0.4};
+  options.furtherIsovalues = {0.1, -0.4};
   expectWithin(encoded(sampled("gyroid", size, gyroid(17)), options), 3);
 }
 

@@ -21,10 +21,10 @@ GeometryPass<3> wideOpen(LayerKind kind, Members members) { return {kind, member
 template <class Payload>
 Bytes streamOf(const Header& header, Payload payload) {
   std::vector<GeometryPass<3>> passes, further;
-  for (const LayerKind kind : {LayerKind::Displacement, LayerKind::Octaves, LayerKind::Halving, LayerKind::Halving}) {
+  for (const LayerKind kind : {LayerKind::Displacement, LayerKind::Exponents, LayerKind::Magnitudes, LayerKind::Magnitudes}) {
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) passes.push_back(wideOpen(kind, members));
   }
-  for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) further.push_back(wideOpen(kind, Members::AxisEnds));
+  for (const LayerKind kind : {LayerKind::Exponents, LayerKind::Magnitudes}) further.push_back(wideOpen(kind, Members::AxisEnds));
   return madeUp<3>(header, passes, further, payload);
 }
 
@@ -44,7 +44,7 @@ Header fittedOf(const Size& size) {
 Header severalOf(const Size& size, bool whole = true) {
   Header header = headerOf(size);
   header.whole = whole;
-  header.near = {3, -100, 1e9, -1e300, 0};
+  header.furtherIsovalues = {3, -100, 1e9, -1e300, 0};
   return header;
 }
 
@@ -52,7 +52,7 @@ Bytes noiseStream(const Header& header, std::size_t length, uint64_t seed) {
   return streamOf(header, [&](auto) { return noiseOf(length, ++seed); });
 }
 Bytes diceStream(const Header& header, uint64_t seed, double rate) {
-  return streamOf(header, [&](auto tell) { return thrown<3>(++seed, rate, tell); });
+  return streamOf(header, [&](auto code) { return thrown<3>(++seed, rate, code); });
 }
 
 const std::vector<Size> kHostileSizes{{9, 9, 9},       {100, 100, 100}, {1, 1 << 11, 1 << 11},
@@ -108,19 +108,19 @@ Bytes adaptiveStreamOf(Header header, Payload payload) {
   header.adaptive = true;
   std::vector<std::pair<LayerHead, Bytes>> layers;
   AdaptiveField<3> field(header.base<3>());
-  for (int level = 0; level <= header.octaves(); ++level) {
+  for (int level = 0; level <= header.finestLevel(); ++level) {
     const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
-    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& ask) { level == 0 ? field.mesh.base(ask) : field.mesh.refine(ask); })});
+    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& exchange) { level == 0 ? field.mesh.base(exchange) : field.mesh.refine(exchange); })});
   }
-  for (int level = 0; level <= header.octaves(); ++level) {
-    for (const LayerKind kind : {LayerKind::Octaves, LayerKind::Halving}) {
+  for (int level = 0; level <= header.finestLevel(); ++level) {
+    for (const LayerKind kind : {LayerKind::Exponents, LayerKind::Magnitudes}) {
       const GeometryPass<3> pass = wideOpen(kind, Members::AxisEnds);
       Bytes bytes = fieldsOf<3>(pass);
-      const Bytes told = payload([&](auto& ask) {
-        if (kind == LayerKind::Octaves) field.tellOctaves(ask, pass.depth, header.polygonizer);
-        else field.tellHalvings(ask, pass.halving(header.fitted));
+      const Bytes coded = payload([&](auto& exchange) {
+        if (kind == LayerKind::Exponents) field.codeExponents(exchange, pass.depth, header.polygonizer);
+        else field.codeMagnitudes(exchange, pass.magnitudePass(header.fitted));
       });
-      bytes.insert(bytes.end(), told.begin(), told.end());
+      bytes.insert(bytes.end(), coded.begin(), coded.end());
       layers.push_back({{kind, level, 0.1, 0, 0}, bytes});
     }
   }
@@ -132,7 +132,7 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
     for (uint64_t seed = 0; seed < 8; ++seed) {
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
       const double rate = std::array{0.5, 1.0, 0.03, 0.97}[seed / 2];
-      const auto dice = [&](auto tell) { return thrown<3>(++seed * 100, rate, tell); };
+      const auto dice = [&](auto code) { return thrown<3>(++seed * 100, rate, code); };
       for (const Bytes& bytes : {diceStream(weldedOf(size), seed, rate), diceStream(fittedOf(size), seed, rate), adaptiveStreamOf(fittedOf(size), dice)}) {
         const Decoder decoder = harmlesslyDecoded(bytes);
         EXPECT_EQ(decoder.error(), Error::None);
@@ -161,17 +161,17 @@ struct SteepField {
 TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   const Header header = headerOf({9, 9, 9});
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  Knowledge<3> known(header);
-  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<3>(1, 0.5, [&](auto& ask) { known.base(ask); })});
-  for (int level = 1; level <= header.octaves(); ++level) {
+  CodecState<3> known(header);
+  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<3>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
+  for (int level = 1; level <= header.finestLevel(); ++level) {
     layers.push_back(
-        {{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& ask) { known.refine(ask); })});
+        {{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
   }
-  const GeometryPass<3> pass{LayerKind::Octaves, Members::AxisEnds, 0, {}, 0, false};
+  const GeometryPass<3> pass{LayerKind::Exponents, Members::AxisEnds, 0, {}, 0, false};
   Bytes geometry = fieldsOf<3>(pass);
-  const Bytes steep = told(known.signs, SteepField(), [&](auto& ask) { known.geometry(ask, pass); });
+  const Bytes steep = coded(known.signs, SteepField(), [&](auto& exchange) { known.geometry(exchange, pass); });
   geometry.insert(geometry.end(), steep.begin(), steep.end());
-  layers.push_back({{LayerKind::Octaves, header.octaves(), 0, 0, 0}, geometry});
+  layers.push_back({{LayerKind::Exponents, header.finestLevel(), 0, 0, 0}, geometry});
   const Bytes bytes = assembled(header, layers);
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::None);
   for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length)
@@ -212,7 +212,7 @@ TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
   for (const Size& size : {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
     for (const Header& header : {headerOf(size), weldedOf(size)}) {
       std::vector<std::pair<LayerHead, Bytes>> layers;
-      for (int level = 0; level <= header.octaves(); ++level) {
+      for (int level = 0; level <= header.finestLevel(); ++level) {
         layers.push_back(
             {{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
       }

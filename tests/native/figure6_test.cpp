@@ -38,25 +38,25 @@ std::vector<SampledField> shapes() {
 TEST(OctreeSigns, areTheSourcesOnEachLevel) {
   for (const SampledField& field : shapes()) {
     SCOPED_TRACE(described(field));
-    const auto truth = signsOf(field.volume(), 0);
-    const int levels = octavesOf(field.size);
-    const OctreeTruth mixed(truth, levels);
-    const auto told = std::make_unique<OctreeSigns>(lastSample(field.size), levels),
-               heard = std::make_unique<OctreeSigns>(lastSample(field.size), levels);
+    const auto actual = signsOf(field.volume(), 0);
+    const int levels = finestLevelOf(field.size);
+    const OctreeEncoderSide mixed(actual, levels);
+    const auto coded = std::make_unique<OctreeSigns>(lastSample(field.size), levels),
+               decoded = std::make_unique<OctreeSigns>(lastSample(field.size), levels);
     for (int level = 0; level <= levels; ++level) {
       std::vector<std::byte> bytes;
       RangeEncoder out(bytes);
-      told->tell(out, mixed, level);
+      coded->code(out, mixed, level);
       out.finish();
       RangeDecoder in(bytes);
-      heard->tell(in, OctreeBlind(), level);
-      const auto grid = heard->lattice(level);
+      decoded->code(in, OctreeDecoderSide(), level);
+      const auto grid = decoded->lattice(level);
       int wrong = 0;
       for (Coordinates<3> v{}; v[2] <= grid.last[2]; ++v[2]) {
         for (v[1] = 0; v[1] <= grid.last[1]; ++v[1]) {
           for (v[0] = 0; v[0] <= grid.last[0]; ++v[0])
-            wrong += heard->positive(grid, v) !=
-                     truth.at({grid.sample(0, v[0]), grid.sample(1, v[1]), grid.sample(2, v[2])});
+            wrong += decoded->positive(grid, v) !=
+                     actual.at({grid.sample(0, v[0]), grid.sample(1, v[1]), grid.sample(2, v[2])});
         }
       }
       EXPECT_EQ(wrong, 0) << "level " << level;
@@ -70,22 +70,22 @@ TEST(DisplacementCoder, comesNearerByHalfAPlane) {
   const DualSurface surface(Lattice<3>(lastSample(field.size), 1), {1, 1, 1},
                             [&](const Coordinates<3>& v) { return signs.at(v); });
   std::mt19937 dice(1);
-  std::vector<double> truth(surface.vertices());
-  for (double& d : truth) d = std::normal_distribution<>(0, 0.2)(dice);
-  DisplacementCoder told(surface), heard(surface);
+  std::vector<double> actual(surface.vertices());
+  for (double& d : actual) d = std::normal_distribution<>(0, 0.2)(dice);
+  DisplacementCoder coded(surface), decoded(surface);
   for (int plane = 0; plane < 6; ++plane) {
     std::vector<std::byte> bytes;
     RangeEncoder out(bytes);
-    told.tell(
-        out, plane, [&](size_t v) { return truth[v]; }, [] { return false; });
+    coded.code(
+        out, plane, [&](size_t v) { return actual[v]; }, [] { return false; });
     out.finish();
     RangeDecoder in(bytes);
-    heard.tell(
+    decoded.code(
         in, plane, [](size_t) { return 0.0; }, [] { return false; });
-    EXPECT_EQ(told.values(), heard.values());
-    for (size_t v = 0; v < truth.size(); ++v) {
-      if (std::abs(truth[v]) < 1) {
-        EXPECT_LE(std::abs(heard.values()[v] - truth[v]), DisplacementCoder::stepOf(plane));
+    EXPECT_EQ(coded.values(), decoded.values());
+    for (size_t v = 0; v < actual.size(); ++v) {
+      if (std::abs(actual[v]) < 1) {
+        EXPECT_LE(std::abs(decoded.values()[v] - actual[v]), DisplacementCoder::stepOf(plane));
       }
     }
   }
@@ -95,35 +95,35 @@ TEST(ScalarCoder, tellsTheScalarsOfTheTubeWithinHalfAStep) {
   constexpr double kStep = 0.3;
   for (const SampledField& field : shapes()) {
     SCOPED_TRACE(described(field));
-    const Hierarchy<3> hierarchy(lastSample(field.size), octavesOf(field.size));
+    const Hierarchy<3> hierarchy(lastSample(field.size), finestLevelOf(field.size));
     const auto signs = signsOf(field.volume(), 0);
     Rbmt<3> mesh(hierarchy);
     unsigned turn = 0;
     refine(mesh, [&](const auto& s) { return !mayCross(signs, hierarchy, s) || ++turn % 7 == 0; });
-    const auto truth = [&](const Coordinates<3>& v) {
+    const auto actual = [&](const Coordinates<3>& v) {
       return double{field.samples[static_cast<size_t>((v[2] * field.size[1] + v[1]) * field.size[0] + v[0])]};
     };
     std::vector<std::byte> bytes;
-    const auto run = [&](auto& ask, ScalarCoder& scalars) {
+    const auto run = [&](auto& exchange, ScalarCoder& scalars) {
       GateTraversal<3> traversal(hierarchy);
-      traversal.tell(ask, [&](const auto& leaf, const auto* from, int fresh) {
-        scalars.tell(
-            ask.coder(), leaf, from, fresh, [&](const auto& v) { return traversal.positive(v); }, truth);
+      traversal.code(exchange, [&](const auto& leaf, const auto* from, int newVertex) {
+        scalars.code(
+            exchange.coder(), leaf, from, newVertex, [&](const auto& v) { return traversal.positive(v); }, actual);
       });
     };
-    ScalarCoder told(hierarchy, kStep), heard(hierarchy, kStep);
+    ScalarCoder coded(hierarchy, kStep), decoded(hierarchy, kStep);
     RangeEncoder out(bytes);
-    MeshTruth<3, RangeEncoder> truthful(out, mesh, signs);
-    run(truthful, told);
+    MeshEncoderSide<3, RangeEncoder> unbiased(out, mesh, signs);
+    run(unbiased, coded);
     out.finish();
     RangeDecoder in(bytes);
-    MeshBlind<3> blind(in, 8);
-    run(blind, heard);
+    MeshDecoderSide<3> blind(in, 8);
+    run(blind, decoded);
     forEachCrossingLeaf(mesh, signs, [&](const TaggedSimplex<3>& leaf) {
       for (const auto& vertex : leaf.vertices) {
         const auto v = hierarchy.position(vertex);
-        EXPECT_EQ(told.value(v), heard.value(v));
-        EXPECT_LE(std::abs(heard.value(v) - truth(v)), kStep / 2 + 1e-5);
+        EXPECT_EQ(coded.value(v), decoded.value(v));
+        EXPECT_LE(std::abs(decoded.value(v) - actual(v)), kStep / 2 + 1e-5);
       }
     });
   }

@@ -345,7 +345,7 @@ TEST(EncodeWithin, holdsTheBoundAgainstTheTetrahedra) {
   for (const double bound : {0.3, 0.06, 0.03}) {
     const BoundedStream made = encodeWithin(bound, field, {}, "mesh", [](double) {});
     Decoder decoder;
-    decoder.feed(made.stream);
+    decoder.accept(made.stream);
     while (decoder.advance()) {
     }
     Mesh surface;

@@ -32,7 +32,7 @@ Rate rateOf(const SampledField& field, EncodeOptions options) {
   return rate;
 }
 
-TEST(Aim, bringsSurfacesNearerForNoMoreBytes) {
+TEST(RdoqTarget, bringsSurfacesNearerForNoMoreBytes) {
   const Size size{48, 48, 48};
   const Field rough = noise(3), smooth = gyroid(17);
   for (const double roughness : {0.0, 0.1}) {
@@ -40,7 +40,7 @@ TEST(Aim, bringsSurfacesNearerForNoMoreBytes) {
     for (const int effort : {1, 2}) {
       EncodeOptions aimed, true_;
       aimed.effort = true_.effort = effort;
-      true_.near = {50};  // beyond all samples; with further isovalues the truth is told
+      true_.furtherIsovalues = {50};  // beyond all samples; with further isovalues the truth is told
       const Rate near = rateOf(field, aimed), rate = rateOf(field, true_);
       EXPECT_LT(near.rms, 0.93 * rate.rms);
       EXPECT_LT(near.bytes, rate.bytes * 101 / 100);
@@ -48,7 +48,7 @@ TEST(Aim, bringsSurfacesNearerForNoMoreBytes) {
   }
 }
 
-TEST(Aim, holdsTheBoundWhereScalarsAreRough) {
+TEST(RdoqTarget, holdsTheBoundWhereScalarsAreRough) {
   for (const uint64_t seed : {1, 2, 3, 4}) {
     const Field rough = noise(seed);
     const SampledField field = sampled("rough", {30, 31, 29}, [&](double x, double y, double z) { return rough(x, y, z) * std::exp(3 * rough(z, x, y)); });

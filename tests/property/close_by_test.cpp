@@ -15,7 +15,7 @@ MeshOptions at(double isovalue, Polygonizer polygonizer = Polygonizer::Cubes) {
 EncodeOptions near(double isovalue, std::vector<double> others) {
   EncodeOptions options;
   options.isovalue = isovalue;
-  options.near = std::move(others);
+  options.furtherIsovalues = std::move(others);
   return options;
 }
 
@@ -45,15 +45,15 @@ void expectAllSurfaces(const SampledField& field, EncodeOptions options) {
       options.polygonizer = polygonizer;
       options.lossless = lossless;
       const Decoder decoder = decoderOf(encoded(field, options));
-      ASSERT_TRUE(decoder.complete());
-      ASSERT_EQ(decoder.info().isovalues.size(), options.near.size() + 1);
+      ASSERT_TRUE(decoder.isFinal());
+      ASSERT_EQ(decoder.info().isovalues.size(), options.furtherIsovalues.size() + 1);
       for (const double isovalue : decoder.info().isovalues)
         expectSourcesSurface(decoder, field, isovalue, polygonizer, lossless ? 0 : options.maxError);
     }
   }
 }
 
-TEST(CloseBy, eachIsovalueHasItsOwnSurface) {
+TEST(FurtherIsovalues, eachIsovalueHasItsOwnSurface) {
   for (const Size& size : {Size{2, 2, 2}, Size{5, 7, 3}, Size{9, 9, 9}, Size{17, 16, 33}, Size{2, 40, 2}}) {
     for (const auto& field : fieldsOf(size)) {
       for (const auto& options : selections(field)) expectAllSurfaces(field, options);
@@ -61,12 +61,12 @@ TEST(CloseBy, eachIsovalueHasItsOwnSurface) {
   }
 }
 
-TEST(CloseBy, bytesAsFractionsOfTheWhole) {
+TEST(FurtherIsovalues, bytesAsFractionsOfTheWhole) {
   auto field = sampled("bytes", {17, 12, 20}, [](double x, double y, double z) { return std::round(127 + 60 * gyroid(9)(x, y, z)) / 255; });
   expectAllSurfaces(field, near(0.5, {0.2, 52.0 / 255, 0.51, 0.6}));
 }
 
-TEST(CloseBy, componentsThatFirstAppear) {
+TEST(FurtherIsovalues, componentsThatFirstAppear) {
   const Field rough = noise(11);
   for (const double share : {0.02, 0.3}) {
     const auto field = sampled("crumbs", {30, 30, 30}, [&](double x, double y, double z) {
@@ -77,7 +77,7 @@ TEST(CloseBy, componentsThatFirstAppear) {
   }
 }
 
-TEST(CloseBy, theFirstSurfaceCostsAsMuchAsAlone) {
+TEST(FurtherIsovalues, theFirstSurfaceCostsAsMuchAsAlone) {
   for (const auto& field : {sampled("whole", {33, 30, 31}, [](double x, double y, double z) { return std::round(100 * gyroid(13)(x, y, z)); })}) {
     const Bytes alone = encoded(field, near(10.5, {})), both = encoded(field, near(10.5, {12.5}));
     StreamInfo one, two;
@@ -94,7 +94,7 @@ TEST(CloseBy, theFirstSurfaceCostsAsMuchAsAlone) {
 }
 
 /// Where no stream aims: without loss, and within loose bounds.
-TEST(CloseBy, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
+TEST(FurtherIsovalues, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
   const auto field = sampled("whole", {33, 30, 31}, [](double x, double y, double z) { return std::round(100 * gyroid(13)(x, y, z)); });
   for (const bool lossless : {false, true}) {
     EncodeOptions single = near(10.5, {}), several = near(10.5, {12.5});
@@ -107,14 +107,14 @@ TEST(CloseBy, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
   }
 }
 
-TEST(CloseBy, theNearestIsToldFirst) {
+TEST(FurtherIsovalues, theNearestIsToldFirst) {
   const auto field = sampled("sphere", {12, 12, 12}, sphere({12, 12, 12}));
   StreamInfo info;
   ASSERT_EQ(inspect(encoded(field, near(0, {3, -1, 1.5, -2})), info), Error::None);
   EXPECT_EQ(info.isovalues, (std::vector<double>{0, -1, -2, 1.5, 3}));
 }
 
-TEST(CloseBy, everyPrefixShowsEveryIsovalue) {
+TEST(FurtherIsovalues, everyPrefixShowsEveryIsovalue) {
   const Size size{9, 8, 10};
   for (const auto& field : fieldsOf(size)) {
     const Bytes bytes = encoded(field, near(0, {0.1, -0.1}));
@@ -131,7 +131,7 @@ TEST(CloseBy, everyPrefixShowsEveryIsovalue) {
   }
 }
 
-TEST(CloseBy, inBetweenMovesFromOneToTheOther) {
+TEST(FurtherIsovalues, inBetweenMovesFromOneToTheOther) {
   const Size size{30, 30, 30};
   const auto field = sampled("sphere", size, sphere(size));
   const Decoder decoder = decoderOf(encoded(field, near(0, {2})));
@@ -149,7 +149,7 @@ TEST(CloseBy, inBetweenMovesFromOneToTheOther) {
   }
 }
 
-TEST(CloseBy, whereAllIsKnownInBetweenIsExact) {
+TEST(FurtherIsovalues, whereAllIsKnownInBetweenIsExact) {
   const auto field = sampled("whole", {20, 20, 20}, [](double x, double y, double z) { return std::round(200 * gyroid(13)(x, y, z)); });
   EncodeOptions options = near(0.5, {4.5});
   options.lossless = true;
@@ -157,7 +157,7 @@ TEST(CloseBy, whereAllIsKnownInBetweenIsExact) {
   for (const double isovalue : {1.0, 1.5, 2.75, 4.25}) expectSourcesSurface(decoder, field, isovalue, Polygonizer::Cubes, 0);
 }
 
-TEST(CloseBy, whatIsNotInTheStreamIsABadArgument) {
+TEST(FurtherIsovalues, whatIsNotInTheStreamIsABadArgument) {
   const auto field = sampled("sphere", {9, 9, 9}, sphere({9, 9, 9}));
   const Decoder decoder = decoderOf(encoded(field, near(0, {0.5, -0.25})));
   Mesh mesh;
@@ -168,7 +168,7 @@ TEST(CloseBy, whatIsNotInTheStreamIsABadArgument) {
   EXPECT_TRUE(bytes.empty());
 }
 
-TEST(CloseBy, imagesHaveTheirsToo) {
+TEST(FurtherIsovalues, imagesHaveTheirsToo) {
   for (const ImageSize& size : kImageSizes) {
     for (const SampledImage& image : imagesOf(size)) {
       SCOPED_TRACE(drawn(image));

@@ -30,7 +30,7 @@ struct Whim {
 
 template <int D, class Keeps>
 void expectKept(const Rbmt<D>& mesh, const Keeps& keeps) {
-  for (const auto& leaf : leavesOf(mesh)) EXPECT_TRUE(leaf.level == mesh.hierarchy().levels() || keeps(leaf));
+  for (const auto& leaf : leavesOf(mesh)) EXPECT_TRUE(leaf.depth == mesh.hierarchy().maxDepth() || keeps(leaf));
 }
 
 TYPED_TEST(DecompositionTest, refinedMeshesMeetAnyCriterion) {
@@ -38,7 +38,7 @@ TYPED_TEST(DecompositionTest, refinedMeshesMeetAnyCriterion) {
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
       const Whim<D> whim{seed, 3 * seed};
-      Rbmt<D> mesh(Hierarchy<D>(box.last, box.octaves));
+      Rbmt<D> mesh(Hierarchy<D>(box.last, box.finestLevel));
       refine(mesh, whim);
       expectKept(mesh, whim);
       expectConformingAndRegular(mesh);
@@ -51,7 +51,7 @@ TYPED_TEST(DecompositionTest, aMeshRefinedOnceNeedsNoMore) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Whim<D> whim{5, 8};
-    Rbmt<D> mesh(Hierarchy<D>(box.last, box.octaves));
+    Rbmt<D> mesh(Hierarchy<D>(box.last, box.finestLevel));
     refine(mesh, whim);
     const auto once = verticesOf(mesh);
     refine(mesh, whim);
@@ -64,7 +64,7 @@ TYPED_TEST(DecompositionTest, coarsenedMeshesMeetAnyCriterion) {
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
       const Whim<D> whim{seed, seed};
-      const Hierarchy<D> hierarchy(box.last, box.octaves);
+      const Hierarchy<D> hierarchy(box.last, box.finestLevel);
       auto mesh = Rbmt<D>::full(hierarchy);
       const auto allows = allKept(hierarchy, whim);
       coarsen(mesh, allows);
@@ -80,7 +80,7 @@ TYPED_TEST(DecompositionTest, coarsenedMeshesMeetAnyCriterion) {
 TYPED_TEST(DecompositionTest, extremesAreTheBaseAndTheFullMesh) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     const auto all = verticesOf(Rbmt<D>::full(hierarchy));
     Rbmt<D> mesh(hierarchy);
     refine(mesh, [](const auto&) { return true; });
@@ -102,7 +102,7 @@ TYPED_TEST(DecompositionTest, theDistanceBoundHoldsAndSaves) {
   Rbmt<D> mesh(hierarchy);
   refine(mesh, [&](const TaggedSimplex<D>& s) { return !mayCross(ball.signs, hierarchy, s); });
   const auto tube = tubeOf(mesh, ball.signs);
-  for (const auto& leaf : tube) EXPECT_EQ(leaf.level, hierarchy.levels());
+  for (const auto& leaf : tube) EXPECT_EQ(leaf.depth, hierarchy.maxDepth());
   const double bound = 0.2;
   const DistanceBound<D, SampledShape<D>, SampledShape<D>> keeps(hierarchy, ball.signs, ball, ball, bound);
   coarsen(mesh, allKept(hierarchy, keeps));
@@ -129,7 +129,7 @@ TYPED_TEST(DecompositionTest, aPlaneNeedsNoVertices) {
 TEST(Decomposition, theDistanceBoundSeesWhatVerticesMiss) {
   auto speck = sampledPlane<2>(16);
   for (auto& value : speck.values) value = -1;
-  speck.values[speck.place({5, 11})] = 1;
+  speck.values[speck.index({5, 11})] = 1;
   speck.updateSigns();
   const Hierarchy<2> hierarchy(speck.box, 4);
   const DistanceBound<2, SampledShape<2>, SampledShape<2>> keeps(hierarchy, speck.signs, speck, speck, 0.25);

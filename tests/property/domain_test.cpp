@@ -206,9 +206,9 @@ TEST(Domain, badOnesAreRefused) {
   expectRefused(shorter, {});
   EXPECT_EQ(polygonize(shorter.volume(), 0, {}, mesh), Error::BadArgument);
   EncodeOptions options;
-  options.near = {0.5};
+  options.furtherIsovalues = {0.5};
   expectRefused(good, options);
-  options.near.clear();
+  options.furtherIsovalues.clear();
   options.preserveTopology = true;
   expectRefused(good, options);
 }

@@ -44,7 +44,7 @@ TEST(Effort, goesWithAllOtherOptions) {
   EncodeOptions adaptive = withEffort(2, 0.4), topology = withEffort(2), near = withEffort(2);
   adaptive.adaptive = true;
   topology.preserveTopology = true;
-  near.near = {0.5, -0.5};
+  near.furtherIsovalues = {0.5, -0.5};
   for (const EncodeOptions& options : {adaptive, topology, near}) {
     const Bytes bytes = encoded(field, options);
     EXPECT_EQ(infoOf(bytes).effort, 2);
@@ -65,9 +65,9 @@ TEST(Effort, codesImagesAndSequences) {
   const SampledField field = sampled("frames", {12, 10, 44}, gyroid(9));
   Bytes image, sequence;
   ASSERT_EQ(encode(Image{std::span(field.samples).first(120), {12, 10}, {}}, withEffort(2), image), Error::None);
-  EXPECT_TRUE(decoderOf(image).complete());
+  EXPECT_TRUE(decoderOf(image).isFinal());
   ASSERT_EQ(encode(Sequence{field.samples, {12, 10, 11}, 4, {}}, withEffort(2), sequence), Error::None);
-  EXPECT_TRUE(decoderOf(sequence).complete());
+  EXPECT_TRUE(decoderOf(sequence).isFinal());
 }
 
 TEST(Effort, isOneOrTwo) {

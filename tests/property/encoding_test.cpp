@@ -106,14 +106,14 @@ TEST(Encoding, twiceGivesTheSameBytes) {
 }
 
 TEST(Encoding, progressRisesToOne) {
-  std::vector<double> told;
+  std::vector<double> coded;
   EncodeOptions options;
-  options.progress = [&](double done) { told.push_back(done); };
+  options.progress = [&](double done) { coded.push_back(done); };
   (void)encoded(sampled("gyroid", {40, 40, 40}, gyroid()), options);
-  ASSERT_FALSE(told.empty());
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GE(told.front(), 0);
-  EXPECT_EQ(told.back(), 1);
+  ASSERT_FALSE(coded.empty());
+  EXPECT_TRUE(std::is_sorted(coded.begin(), coded.end()));
+  EXPECT_GE(coded.front(), 0);
+  EXPECT_EQ(coded.back(), 1);
 }
 
 TEST(Encoding, anEmptySurfaceIsAStream) {
@@ -122,7 +122,7 @@ TEST(Encoding, anEmptySurfaceIsAStream) {
       const Bytes bytes = encoded(sampled("constant", size, [=](double, double, double) { return value; }));
       EXPECT_LT(bytes.size(), 200u);
       const Decoder decoder = decoderOf(bytes);
-      EXPECT_TRUE(decoder.complete());
+      EXPECT_TRUE(decoder.isFinal());
       EXPECT_EQ(decoder.info().vertices, 0u);
       EXPECT_EQ(decoder.level(), decoder.levels() - 1);
       for (const Polygonizer polygonizer : kPolygonizers)

@@ -17,14 +17,14 @@ std::vector<Shown> shownInPieces(const Bytes& bytes, std::size_t length) {
   std::vector<Shown> all;
   Decoder decoder;
   for (std::size_t at = 0; at < bytes.size(); at += length) {
-    decoder.feed(std::span(bytes).subspan(at, std::min(length, bytes.size() - at)));
+    decoder.accept(std::span(bytes).subspan(at, std::min(length, bytes.size() - at)));
     while (decoder.advance()) {
       Mesh mesh = meshOf(decoder, {Polygonizer::Tetrahedra, Frame::World, false});
       all.push_back({decoder.bytes(), std::move(mesh.positions), std::move(mesh.triangles)});
     }
     EXPECT_EQ(decoder.error(), Error::None);
   }
-  EXPECT_TRUE(decoder.complete());
+  EXPECT_TRUE(decoder.isFinal());
   return all;
 }
 
@@ -44,8 +44,8 @@ TEST(Feeding, nothingIsWrongBeforeTheEnd) {
   EXPECT_FALSE(decoder.ready());
   EXPECT_EQ(decoder.levels(), 0);
   EXPECT_EQ(decoder.level(), -1);
-  decoder.feed({});
-  decoder.feed(std::span(bytes).first(10));
+  decoder.accept({});
+  decoder.accept(std::span(bytes).first(10));
   EXPECT_FALSE(decoder.advance());
   EXPECT_EQ(decoder.error(), Error::None);
   decoder.finish();
@@ -60,7 +60,7 @@ TEST(Feeding, trailingBytesAreSomebodyElses) {
   bytes.resize(length + 100, std::byte{0x55});
   const Decoder decoder = decoderOf(bytes);
   EXPECT_EQ(decoder.error(), Error::None);
-  EXPECT_TRUE(decoder.complete());
+  EXPECT_TRUE(decoder.isFinal());
   EXPECT_EQ(decoder.bytes(), length);
   EXPECT_EQ(meshOf(decoder).positions, expected.positions);
 }
@@ -68,15 +68,15 @@ TEST(Feeding, trailingBytesAreSomebodyElses) {
 TEST(Feeding, bytesAfterTheEndChangeNothing) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder decoder;
-  decoder.feed(bytes);
+  decoder.accept(bytes);
   while (decoder.advance()) {
   }
   for (const bool finished : {false, true}) {
     if (finished) decoder.finish();
-    decoder.feed(bytes);
+    decoder.accept(bytes);
     EXPECT_FALSE(decoder.advance());
     EXPECT_EQ(decoder.error(), Error::None);
-    EXPECT_TRUE(decoder.complete());
+    EXPECT_TRUE(decoder.isFinal());
     EXPECT_EQ(decoder.bytes(), bytes.size());
     EXPECT_EQ(meshOf(decoder).positions, decoded(bytes).positions);
   }
@@ -86,9 +86,9 @@ TEST(Feeding, bytesAfterFinishAreNotTaken) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   for (const std::size_t length : {std::size_t{0}, std::size_t{10}, bytes.size() / 2}) {
     Decoder decoder;
-    decoder.feed(std::span(bytes).first(length));
+    decoder.accept(std::span(bytes).first(length));
     decoder.finish();
-    decoder.feed(std::span(bytes).subspan(length));
+    decoder.accept(std::span(bytes).subspan(length));
     while (decoder.advance()) {
     }
     EXPECT_EQ(decoder.error(), Error::Truncated);
@@ -101,14 +101,14 @@ TEST(Feeding, emptyPiecesChangeNothing) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder decoder;
   for (const std::byte& b : bytes) {
-    decoder.feed({});
-    decoder.feed({&b, 1});
-    decoder.feed({});
+    decoder.accept({});
+    decoder.accept({&b, 1});
+    decoder.accept({});
     while (decoder.advance()) EXPECT_FALSE(decoder.bytes() == 0);
   }
-  decoder.feed({});
+  decoder.accept({});
   EXPECT_FALSE(decoder.advance());
-  EXPECT_TRUE(decoder.complete());
+  EXPECT_TRUE(decoder.isFinal());
   EXPECT_EQ(meshOf(decoder).positions, decoded(bytes).positions);
 }
 
@@ -116,7 +116,7 @@ TEST(Feeding, finishBeforeTheHeader) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   for (std::size_t length = 0; length < 12; ++length) {
     Decoder decoder;
-    decoder.feed(std::span(bytes).first(length));
+    decoder.accept(std::span(bytes).first(length));
     decoder.finish();
     decoder.finish();
     EXPECT_EQ(decoder.error(), Error::None) << "nothing has been looked at";
@@ -142,7 +142,7 @@ TEST(Feeding, theFirstErrorStays) {
   const Mesh mesh = meshOf(decoder);
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(decoder.advance());
-    decoder.feed(good);
+    decoder.accept(good);
     decoder.finish();
     EXPECT_EQ(decoder.error(), Error::Corrupt);
     EXPECT_EQ(decoder.bytes(), shown);
@@ -156,7 +156,7 @@ TEST(Feeding, moreBytesThanTheMemoryAllowed) {
   Limits limits;
   limits.memory = bytes.size() - 1;
   Decoder decoder(limits);
-  decoder.feed(bytes);
+  decoder.accept(bytes);
   EXPECT_FALSE(decoder.advance());
   EXPECT_EQ(decoder.error(), Error::OverLimit);
 }
@@ -164,11 +164,11 @@ TEST(Feeding, moreBytesThanTheMemoryAllowed) {
 TEST(Feeding, decodersCanBeMoved) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder first;
-  first.feed(std::span(bytes).first(bytes.size() / 2));
+  first.accept(std::span(bytes).first(bytes.size() / 2));
   while (first.advance()) {
   }
   Decoder second = std::move(first);
-  second.feed(std::span(bytes).subspan(bytes.size() / 2));
+  second.accept(std::span(bytes).subspan(bytes.size() / 2));
   while (second.advance()) {
   }
   EXPECT_EQ(meshOf(second).positions, decoded(bytes).positions);

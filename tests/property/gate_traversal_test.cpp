@@ -23,7 +23,7 @@ struct Leaves {
   void add(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& leaf, Positive positive) {
     std::vector<bool> signs;
     for (const auto& p : pointsOf(hierarchy, leaf)) signs.push_back(positive(p));
-    EXPECT_TRUE(all.insert({pointsOf(hierarchy, leaf), {leaf.level, signs}}).second) << "told twice";
+    EXPECT_TRUE(all.insert({pointsOf(hierarchy, leaf), {leaf.depth, signs}}).second) << "told twice";
   }
   friend bool operator==(const Leaves&, const Leaves&) = default;
 };
@@ -37,17 +37,17 @@ Leaves<D> crossingLeaves(const Rbmt<D>& mesh, const Signs<D>& signs) {
 }
 
 template <int D>
-std::vector<std::byte> told(const Rbmt<D>& mesh, const Signs<D>& signs) {
+std::vector<std::byte> coded(const Rbmt<D>& mesh, const Signs<D>& signs) {
   std::vector<std::byte> bytes;
   RangeEncoder coder(bytes);
-  MeshTruth<D, RangeEncoder> ask(coder, mesh, signs);
+  MeshEncoderSide<D, RangeEncoder> exchange(coder, mesh, signs);
   Leaves<D> tube;
   GateTraversal<D> traversal(mesh.hierarchy());
-  traversal.tell(ask, [&](const auto& leaf, const auto* from, int fresh) {
+  traversal.code(exchange, [&](const auto& leaf, const auto* from, int newVertex) {
     tube.add(mesh.hierarchy(), leaf, [&](const auto& p) { return traversal.positive(p); });
     if (from == nullptr) return;
-    EXPECT_LE(std::abs(leaf.level - from->level), 1);
-    for (int i = 0; i <= D; ++i) EXPECT_EQ(from->has(leaf.vertices[i]), i != fresh);
+    EXPECT_LE(std::abs(leaf.depth - from->depth), 1);
+    for (int i = 0; i <= D; ++i) EXPECT_EQ(from->has(leaf.vertices[i]), i != newVertex);
   });
   coder.finish();
   EXPECT_TRUE(tube == crossingLeaves(mesh, signs)) << "what is told";
@@ -56,12 +56,12 @@ std::vector<std::byte> told(const Rbmt<D>& mesh, const Signs<D>& signs) {
 
 template <int D>
 void expectRoundTrip(const Rbmt<D>& mesh, const Signs<D>& signs) {
-  const auto bytes = told(mesh, signs);
+  const auto bytes = coded(mesh, signs);
   RangeDecoder coder(bytes);
-  MeshBlind<D> ask(coder, 8);
+  MeshDecoderSide<D> exchange(coder, 8);
   GateTraversal<D> traversal(mesh.hierarchy());
   Leaves<D> tube;
-  traversal.tell(ask, [&](const auto& leaf, const auto*, int) {
+  traversal.code(exchange, [&](const auto& leaf, const auto*, int) {
     tube.add(mesh.hierarchy(), leaf, [&](const auto& p) { return traversal.positive(p); });
   });
   EXPECT_TRUE(tube == crossingLeaves(mesh, signs)) << "what is heard";
@@ -89,7 +89,7 @@ TYPED_TEST(GateTraversalTest, anyMeshAndAnySignsComeBack) {
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       std::mt19937 dice(seed);
-      const Hierarchy<D> hierarchy(box.last, box.octaves);
+      const Hierarchy<D> hierarchy(box.last, box.finestLevel);
       Rbmt<D> mesh(hierarchy);
       typename Rbmt<D>::Vertices added;
       for (unsigned i = 0; i < 3 * seed * seed; ++i) mesh.split(anyVertex(hierarchy, dice), added);
@@ -102,7 +102,7 @@ TYPED_TEST(GateTraversalTest, theBaseAndTheFullMeshComeBack) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     std::mt19937 dice(7);
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     const auto signs = diceSigns<D>(box.last, 8, dice);
     expectRoundTrip(Rbmt<D>(hierarchy), signs);
     expectRoundTrip(Rbmt<D>::full(hierarchy), signs);
@@ -125,13 +125,13 @@ TYPED_TEST(GateTraversalTest, aBallAdaptedTakesLessThanThePapersCount) {
   Rbmt<D> mesh(hierarchy);
   unsigned turn = 0;
   refine(mesh, [&](const TaggedSimplex<D>& s) {
-    return !mayCross(ball.signs, hierarchy, s) || (s.level > 2 * D && ++turn % 5 == 0);
+    return !mayCross(ball.signs, hierarchy, s) || (s.depth > 2 * D && ++turn % 5 == 0);
   });
   expectRoundTrip(mesh, ball.signs);
   const auto tube = tubeOf(mesh, ball.signs);
   Points<D> vertices;
   for (const auto& leaf : tube) vertices.merge(pointsOf(hierarchy, leaf));
-  EXPECT_LT(8.0 * static_cast<double>(told(mesh, ball.signs).size()),
+  EXPECT_LT(8.0 * static_cast<double>(coded(mesh, ball.signs).size()),
             static_cast<double>(vertices.size()) + 1.6 * static_cast<double>(tube.size()) + 64);
 }
 
@@ -143,9 +143,9 @@ TYPED_TEST(GateTraversalTest, anyBytesComeToAnEnd) {
       std::vector<std::byte> bytes(seed * 3);
       for (auto& b : bytes) b = static_cast<std::byte>(dice());
       RangeDecoder coder(bytes);
-      MeshBlind<D> ask(coder, 8);
-      GateTraversal<D> traversal(Hierarchy<D>(box.last, box.octaves));
-      traversal.tell(ask, [](const auto&, const auto*, int) {});
+      MeshDecoderSide<D> exchange(coder, 8);
+      GateTraversal<D> traversal(Hierarchy<D>(box.last, box.finestLevel));
+      traversal.code(exchange, [](const auto&, const auto*, int) {});
     }
   }
 }

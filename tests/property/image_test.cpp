@@ -107,7 +107,7 @@ TEST(ImageContours, comeBackLossless) {
       options.polygonizer = polygonizer;
       const Decoder decoder = decoderOf(encoded(image, options));
       EXPECT_EQ(decoder.error(), Error::None);
-      EXPECT_TRUE(decoder.complete());
+      EXPECT_TRUE(decoder.isFinal());
       const Contours found = contoursOf(decoder, {.polygonizer = polygonizer}), expected = sourceContours(image, {.polygonizer = polygonizer});
       expectSound(found, image.size);
       EXPECT_EQ(found.starts, expected.starts);

@@ -24,7 +24,7 @@ void expectEachPrefixShows(const SampledField& field, const EncodeOptions& optio
     SCOPED_TRACE("the first " + std::to_string(length));
     const Decoder decoder = decoderOf(std::span(bytes).first(length));
     ASSERT_EQ(decoder.error(), length < bytes.size() ? Error::Truncated : Error::None);
-    ASSERT_EQ(decoder.complete(), length == bytes.size());
+    ASSERT_EQ(decoder.isFinal(), length == bytes.size());
     ASSERT_GE(decoder.bytes(), before);
     ASSERT_LE(decoder.bytes(), length);
     before = decoder.bytes();
@@ -89,7 +89,7 @@ TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
   const Size size{60, 60, 60};
   const auto field = sampled("sphere", size, sphere(size));
   Decoder decoder;
-  decoder.feed(encoded(field));
+  decoder.accept(encoded(field));
   while (decoder.advance()) {
     const double found =
         distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 59 + 0.013);

@@ -129,10 +129,10 @@ TEST(PreservedTopology, isForVolumesOnly) {
 TEST(PreservedTopology, goesWithFurtherIsovalues) {
   const auto field = delicateFields().front();
   EncodeOptions options = preserving();
-  options.near = {0.3};
+  options.furtherIsovalues = {0.3};
   const Mesh mesh = decoded(encoded(field, options), {.isovalue = 0.3});
   EncodeOptions plain;
-  plain.near = {0.3};
+  plain.furtherIsovalues = {0.3};
   EXPECT_EQ(mesh.triangles, decoded(encoded(field, plain), {.isovalue = 0.3}).triangles);
 }
 
@@ -156,7 +156,7 @@ TEST(SignTurns, whatPassesChangesNoPiece) {
     float& sample = field.samples[static_cast<std::size_t>(v[0] + 4 * (v[1] + 5 * v[2]))];
     sample = -sample;
     const auto after = piecesOf(sourceMesh(field, {.normals = false}));
-    const bool keeps = turnKeepsTopology(signs, v);
+    const bool keeps = flipKeepsTopology(signs, v);
     ++answers[keeps];
     if (keeps) {
       EXPECT_EQ(after, before);

@@ -71,30 +71,30 @@ void expectConformingAndRegular(const Rbmt<D>& mesh) {
     for (const auto& p : points) {
       auto facet = points;
       facet.erase(p);
-      facets[facet].push_back(leaf.level);
+      facets[facet].push_back(leaf.depth);
     }
   }
   int64_t whole = Simplex<D>::perCell();
   for (int32_t last : hierarchy.box()) whole *= last;
   EXPECT_EQ(volume, whole) << "the leaves fill the box";
-  for (const auto& [facet, levels] : facets) {
+  for (const auto& [facet, maxDepth] : facets) {
     bool boundary = false;
     for (int a = 0; a < D; ++a) {
       for (int32_t end : {0, hierarchy.box()[a]}) {
         boundary = boundary || std::all_of(facet.begin(), facet.end(), [&](const auto& p) { return p[a] == end; });
       }
     }
-    ASSERT_EQ(levels.size(), boundary ? 1u : 2u) << "leaves of a facet";
-    ASSERT_LE(std::abs(levels.front() - levels.back()), 1) << "levels of neighbours";
+    ASSERT_EQ(maxDepth.size(), boundary ? 1u : 2u) << "leaves of a facet";
+    ASSERT_LE(std::abs(maxDepth.front() - maxDepth.back()), 1) << "levels of neighbours";
   }
 }
 
 template <int D>
 Points<D> verticesOf(const Rbmt<D>& mesh) {
   Points<D> vertices;
-  for (int level = 1; level <= mesh.hierarchy().levels(); ++level) {
-    mesh.forEachVertex(level, [&](const Coordinates<D>& v) {
-      EXPECT_EQ(mesh.hierarchy().diamond(v).level, level);
+  for (int depth = 1; depth <= mesh.hierarchy().maxDepth(); ++depth) {
+    mesh.forEachVertex(depth, [&](const Coordinates<D>& v) {
+      EXPECT_EQ(mesh.hierarchy().diamond(v).depth, depth);
       EXPECT_TRUE(vertices.insert(v).second) << "visited twice";
     });
   }
@@ -115,7 +115,7 @@ Coordinates<D> anyVertex(const Hierarchy<D>& hierarchy, std::mt19937& dice) {
   const auto lattice = hierarchy.paddedLattice();
   for (;;) {
     Coordinates<D> v;
-    const int shift = static_cast<int>(dice() % static_cast<unsigned>(hierarchy.octaves()));
+    const int shift = static_cast<int>(dice() % static_cast<unsigned>(hierarchy.finestLevel()));
     for (int a = 0; a < D; ++a)
       v[a] = static_cast<int32_t>(dice() % static_cast<unsigned>(lattice.last[a] + 1)) >> shift << shift;
     if (!hierarchy.isBase(v) && hierarchy.holds(v)) return v;
@@ -125,7 +125,7 @@ Coordinates<D> anyVertex(const Hierarchy<D>& hierarchy, std::mt19937& dice) {
 template <int D>
 struct Box {
   Coordinates<D> last;
-  int octaves;
+  int finestLevel;
 };
 /// Boxes with whole and torn cells, thin ones, ones smaller than a cell of the base.
 template <int D>

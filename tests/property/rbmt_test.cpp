@@ -54,7 +54,7 @@ Points<D> dependentsByForce(const Rbmt<D>& mesh, const typename Hierarchy<D>::Ve
 TYPED_TEST(RbmtTest, anySequenceLeavesAConformingRegularMesh) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(testing::Message() << "box " << box.last[0] << ' ' << box.last[1] << ", seed " << seed);
       std::mt19937 dice(seed);
@@ -80,7 +80,7 @@ TYPED_TEST(RbmtTest, anySequenceLeavesAConformingRegularMesh) {
 TYPED_TEST(RbmtTest, transitionsAreLeastAndInOrder) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     std::mt19937 dice(7);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices planned, changed, local;
@@ -107,7 +107,7 @@ TYPED_TEST(RbmtTest, transitionsAreLeastAndInOrder) {
 TYPED_TEST(RbmtTest, aWeldUndoesItsSplit) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     std::mt19937 dice(11);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices added, removed;
@@ -132,20 +132,20 @@ TYPED_TEST(RbmtTest, aWeldUndoesItsSplit) {
 TYPED_TEST(RbmtTest, parentsAreTheNewestVerticesAround) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     for (const auto& v : verticesOf(Rbmt<D>::full(hierarchy))) {
       const auto d = hierarchy.diamond(v);
       Points<D> parents, newest;
       hierarchy.forEachParent(d, [&](const auto& p) { EXPECT_TRUE(parents.insert(p).second); });
       forEachSimplexOf(d, hierarchy, [&](const TaggedSimplex<D>& s) {
         EXPECT_EQ(s.middle(), v);
-        EXPECT_EQ(s.level, d.level - 1);
+        EXPECT_EQ(s.depth, d.depth - 1);
         newest.insert(s.vertices[s.tag == D ? 1 : s.tag + 1]);
       });
       EXPECT_TRUE(parents == newest);
       for (const auto& p : parents) {
         EXPECT_TRUE(hierarchy.holds(p));
-        EXPECT_EQ(hierarchy.isBase(p) ? 0 : hierarchy.diamond(p).level, d.level - 1);
+        EXPECT_EQ(hierarchy.isBase(p) ? 0 : hierarchy.diamond(p).depth, d.depth - 1);
       }
     }
   }
@@ -154,7 +154,7 @@ TYPED_TEST(RbmtTest, parentsAreTheNewestVerticesAround) {
 TYPED_TEST(RbmtTest, theClosedFormOfADiamondIsTheMeshAroundItsEdge) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     std::mt19937 dice(13);
     for (int step = 0; step < 12; ++step) {
       const auto v = anyVertex(hierarchy, dice);
@@ -168,7 +168,7 @@ TYPED_TEST(RbmtTest, theClosedFormOfADiamondIsTheMeshAroundItsEdge) {
         EXPECT_EQ(volumeOf(hierarchy, s) < 0, s.mirrored);
       });
       for (const auto& leaf : leavesOf(mesh)) {
-        if (leaf.level < hierarchy.levels() && leaf.middle() == v) around.insert(leaf.vertices);
+        if (leaf.depth < hierarchy.maxDepth() && leaf.middle() == v) around.insert(leaf.vertices);
       }
       EXPECT_TRUE(closed == around);
     }
@@ -178,7 +178,7 @@ TYPED_TEST(RbmtTest, theClosedFormOfADiamondIsTheMeshAroundItsEdge) {
 TYPED_TEST(RbmtTest, starsAreTheLeavesThatHaveTheVertex) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     std::mt19937 dice(17);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices changed;
@@ -199,10 +199,10 @@ TYPED_TEST(RbmtTest, starsAreTheLeavesThatHaveTheVertex) {
 TYPED_TEST(RbmtTest, wholeOctavesAreTheLatticesOfTheCodec) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     Rbmt<D> mesh(hierarchy);
-    for (int octave = 0; octave <= box.octaves; ++octave) {
-      const Lattice<D> lattice(box.last, int32_t{1} << (box.octaves - octave));
+    for (int level = 0; level <= box.finestLevel; ++level) {
+      const Lattice<D> lattice(box.last, int32_t{1} << (box.finestLevel - level));
       std::set<Points<D>> leaves, simplices;
       for (const auto& leaf : leavesOf(mesh)) leaves.insert(pointsOf(hierarchy, leaf));
       for (std::size_t n = 0; n < Simplex<D>::count(lattice); ++n) {
@@ -214,11 +214,11 @@ TYPED_TEST(RbmtTest, wholeOctavesAreTheLatticesOfTheCodec) {
         }
         simplices.insert(points);
       }
-      EXPECT_TRUE(leaves == simplices) << "octave " << octave;
+      EXPECT_TRUE(leaves == simplices) << "octave " << level;
       const auto full = Rbmt<D>::full(hierarchy);
       typename Rbmt<D>::Vertices added;
-      for (int level = octave * D + 1; octave < box.octaves && level <= octave * D + D; ++level) {
-        full.forEachVertex(level, [&](const Coordinates<D>& v) {
+      for (int depth = level * D + 1; level < box.finestLevel && depth <= level * D + D; ++depth) {
+        full.forEachVertex(depth, [&](const Coordinates<D>& v) {
           EXPECT_TRUE(mesh.canSplit(v));
           mesh.split(v, added);
         });
@@ -232,10 +232,10 @@ TYPED_TEST(RbmtTest, wholeOctavesAreTheLatticesOfTheCodec) {
 TEST(Rbmt, boxesOfAllShapesOnceMore) {
   struct {
     Coordinates<3> last;
-    int octaves;
+    int finestLevel;
   } const cases[] = {{{1, 1, 20}, 3}, {{6, 4, 8}, 3}, {{32, 32, 32}, 3}, {{63, 32, 31}, 3}};
   for (const auto& box : cases) {
-    const Hierarchy<3> hierarchy(box.last, box.octaves);
+    const Hierarchy<3> hierarchy(box.last, box.finestLevel);
     Rbmt<3> mesh(hierarchy);
     std::mt19937 dice(19);
     Rbmt<3>::Vertices changed;

@@ -31,7 +31,7 @@ inline StreamInfo infoOf(const Bytes& bytes) {
 inline Decoder decoderOf(std::span<const std::byte> prefix, const Limits& limits = {}) {
   const Bytes copy(prefix.begin(), prefix.end());
   Decoder decoder(limits);
-  decoder.feed(copy);
+  decoder.accept(copy);
   decoder.finish();
   while (decoder.advance()) {
   }
@@ -47,7 +47,7 @@ inline Mesh meshOf(const Decoder& decoder, const MeshOptions& options = {}) {
 inline Mesh decoded(std::span<const std::byte> bytes, const MeshOptions& options = {}) {
   const Decoder decoder = decoderOf(bytes);
   EXPECT_EQ(decoder.error(), Error::None);
-  EXPECT_TRUE(decoder.complete());
+  EXPECT_TRUE(decoder.isFinal());
   return meshOf(decoder, options);
 }
 

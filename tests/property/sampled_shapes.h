@@ -29,11 +29,11 @@ struct SampledShape {
     }
     updateSigns();
   }
-  [[nodiscard]] std::size_t place(const Coordinates<D>& v) const {
-    std::size_t place = 0;
+  [[nodiscard]] std::size_t index(const Coordinates<D>& v) const {
+    std::size_t brickIndex = 0;
     for (int a = D - 1; a >= 0; --a)
-      place = place * static_cast<std::size_t>(box[a] + 1) + static_cast<std::size_t>(v[a]);
-    return place;
+      brickIndex = brickIndex * static_cast<std::size_t>(box[a] + 1) + static_cast<std::size_t>(v[a]);
+    return brickIndex;
   }
   void updateSigns() {
     signs = Signs<D>(Lattice<D>(box, 1));
@@ -43,7 +43,7 @@ struct SampledShape {
       for (int a = 0; a < D && ++v[a] > box[a]; ++a) v[a] = 0;
     }
   }
-  double operator()(const Coordinates<D>& v) const { return values[place(v)]; }
+  double operator()(const Coordinates<D>& v) const { return values[index(v)]; }
 };
 
 template <int D>

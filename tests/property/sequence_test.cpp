@@ -67,7 +67,7 @@ TEST(SequenceSurface, losslessEachFrameIsThatVolumesOwn) {
       options.polygonizer = polygonizer;
       const Decoder decoder = decoderOf(encoded(sequence, options));
       EXPECT_EQ(decoder.error(), Error::None);
-      EXPECT_TRUE(decoder.complete());
+      EXPECT_TRUE(decoder.isFinal());
       for (int32_t t = 0; t < sequence.frames; ++t) {
         SCOPED_TRACE(sequence.name + ", frame " + std::to_string(t) + ", " + named(polygonizer));
         expectNear(meshOf(decoder, at(t, polygonizer)), sourceMesh(sequence.frame(t), at(0, polygonizer)), 1e-5);

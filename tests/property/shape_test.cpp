@@ -9,9 +9,9 @@ namespace {
 template <class Visit>
 void forEachLayer(const Bytes& bytes, Visit visit) {
   Decoder decoder;
-  decoder.feed(bytes);
+  decoder.accept(bytes);
   while (decoder.advance()) visit(decoder);
-  EXPECT_TRUE(decoder.complete());
+  EXPECT_TRUE(decoder.isFinal());
 }
 
 TEST(Shape, everyLevelIsClosed) {
@@ -57,15 +57,15 @@ TEST(Shape, manySmallComponentsAreAllFound) {
 
 /// Right-handed, left-handed, oblique; with spacings and an origin.
 std::vector<Placement> placements() {
-  Placement turned, mirrored, oblique;
-  turned.spacing = {0.5, 1, 2};
-  turned.origin = {-100, 20, 3};
-  turned.direction = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+  Placement flipped, mirrored, oblique;
+  flipped.spacing = {0.5, 1, 2};
+  flipped.origin = {-100, 20, 3};
+  flipped.direction = {0, -1, 0, 1, 0, 0, 0, 0, 1};
   mirrored.spacing = {1, 1, 1.5};
   mirrored.direction = {-1, 0, 0, 0, 1, 0, 0, 0, 1};
   oblique.spacing = {0.8, 1, 1.2};
   oblique.direction = {1, 0.2, 0, 0.1, 1, 0.3, 0, -0.2, 1};
-  return {Placement{}, turned, mirrored, oblique};
+  return {Placement{}, flipped, mirrored, oblique};
 }
 
 Point inWorld(const Placement& p, const Point& sample) {

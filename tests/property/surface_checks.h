@@ -76,13 +76,13 @@ inline void expectNormalsOnTheOuterSide(const Mesh& mesh, double height) {
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     const Point a = pointAt(mesh.positions, mesh.triangles[t]), b = pointAt(mesh.positions, mesh.triangles[t + 1]),
                 c = pointAt(mesh.positions, mesh.triangles[t + 2]);
-    const Point turned = cross(minus(b, a), minus(c, a));
+    const Point flipped = cross(minus(b, a), minus(c, a));
     double longest = 0;
     for (const Point& side : {minus(b, a), minus(c, b), minus(a, c)})
       longest = std::max(longest, std::sqrt(dot(side, side)));
-    if (std::sqrt(dot(turned, turned)) < height * longest) continue;
+    if (std::sqrt(dot(flipped, flipped)) < height * longest) continue;
     for (std::size_t i = 0; i < 3; ++i)
-      ASSERT_GT(dot(turned, pointAt(mesh.normals, mesh.triangles[t + i])), 0) << "triangle " << t / 3;
+      ASSERT_GT(dot(flipped, pointAt(mesh.normals, mesh.triangles[t + i])), 0) << "triangle " << t / 3;
   }
 }
 

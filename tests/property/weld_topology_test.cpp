@@ -34,7 +34,7 @@ struct Noise {
 TYPED_TEST(WeldTopologyTest, weldedNoiseKeepsItsInvariants) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     for (unsigned seed = 1; seed <= 12; ++seed) {
       const Noise<D> noise{&hierarchy, seed, 1 + seed % 4};
       auto mesh = Rbmt<D>::full(hierarchy);
@@ -50,7 +50,7 @@ TYPED_TEST(WeldTopologyTest, everyWeldKeepsItsStar) {
   constexpr int D = TypeParam::value;
   std::map<bool, int> answers;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     std::mt19937 dice(3);
     for (unsigned seed = 1; seed <= 150; ++seed) {
       const Noise<D> noise{&hierarchy, seed};

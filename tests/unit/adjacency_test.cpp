@@ -14,9 +14,9 @@ TYPED_TEST_SUITE(AdjacencyTest, Dimensions);
 
 /// All simplices of a level that are in the box.
 template <int D>
-std::vector<TaggedSimplex<D>> simplicesOf(const Hierarchy<D>& hierarchy, int level) {
+std::vector<TaggedSimplex<D>> simplicesOf(const Hierarchy<D>& hierarchy, int depth) {
   auto all = leavesOf(Rbmt<D>(hierarchy));
-  for (int i = 0; i < level; ++i) {
+  for (int i = 0; i < depth; ++i) {
     std::vector<TaggedSimplex<D>> finer;
     for (const auto& s : all) {
       for (const auto& half : s.halves()) {
@@ -32,16 +32,16 @@ template <int D>
 void expectSame(const TaggedSimplex<D>& a, const TaggedSimplex<D>& b) {
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.tag, b.tag);
-  EXPECT_EQ(a.level, b.level);
+  EXPECT_EQ(a.depth, b.depth);
   EXPECT_EQ(a.mirrored, b.mirrored);
 }
 
 TYPED_TEST(AdjacencyTest, theParentIsWhatWasBisected) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
-    for (int level = 0; level < hierarchy.levels(); ++level) {
-      for (const auto& s : simplicesOf(hierarchy, level)) {
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
+    for (int depth = 0; depth < hierarchy.maxDepth(); ++depth) {
+      for (const auto& s : simplicesOf(hierarchy, depth)) {
         for (const auto& half : s.halves()) {
           expectSame(parent(half), s);
           EXPECT_EQ(half.vertices[newest(half)], s.middle());
@@ -54,15 +54,15 @@ TYPED_TEST(AdjacencyTest, theParentIsWhatWasBisected) {
 TYPED_TEST(AdjacencyTest, behindEachFaceIsTheOneThatSharesIt) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Hierarchy<D> hierarchy(box.last, box.octaves);
-    for (int level = 0; level <= hierarchy.levels(); ++level) {
+    const Hierarchy<D> hierarchy(box.last, box.finestLevel);
+    for (int depth = 0; depth <= hierarchy.maxDepth(); ++depth) {
       std::map<Points<D>, std::vector<TaggedSimplex<D>>> byFace;
       const auto faceOf = [](const TaggedSimplex<D>& s, int i) {
         Points<D> face(s.vertices.begin(), s.vertices.end());
         face.erase(s.vertices[i]);
         return face;
       };
-      const auto all = simplicesOf(hierarchy, level);
+      const auto all = simplicesOf(hierarchy, depth);
       for (const auto& s : all) {
         for (int i = 0; i <= D; ++i) byFace[faceOf(s, i)].push_back(s);
       }
@@ -73,7 +73,7 @@ TYPED_TEST(AdjacencyTest, behindEachFaceIsTheOneThatSharesIt) {
           ASSERT_EQ(other.has_value(), both.size() == 2);
           if (!other) continue;
           expectSame(other->simplex, both[both[0].vertices == s.vertices ? 1 : 0]);
-          EXPECT_FALSE(s.has(other->simplex.vertices[other->fresh]));
+          EXPECT_FALSE(s.has(other->simplex.vertices[other->newVertex]));
         }
       }
     }

@@ -37,12 +37,12 @@ TYPED_TEST(BaseCoderTest, tellsEachSignOfEachField) {
   for (const auto& lattice : lattices<D>()) {
     for (const auto& field : signFields<D>(lattice.box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(lattice.box));
-      const DenseSigns<D> truth(lattice, field.positive);
+      const DenseSigns<D> actual(lattice, field.positive);
       Signs<D> mine(lattice), theirs(lattice);
-      const auto bytes = told(truth.bricks(), NoScalars(), [&](auto& ask) { BaseCoder<D>().tell(ask, mine); });
-      EXPECT_TRUE(heard<D>(bytes, [&](auto& ask) { BaseCoder<D>().tell(ask, theirs); }));
-      EXPECT_EQ(DenseSigns<D>(mine), truth);
-      EXPECT_EQ(DenseSigns<D>(theirs), truth);
+      const auto bytes = coded(actual.bricks(), NoScalars(), [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
+      EXPECT_TRUE(decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
+      EXPECT_EQ(DenseSigns<D>(mine), actual);
+      EXPECT_EQ(DenseSigns<D>(theirs), actual);
     }
   }
 }
@@ -53,8 +53,8 @@ TYPED_TEST(BaseCoderTest, randomAnswersAreAlwaysSomeSurface) {
     for (uint64_t seed = 0; seed < 30; ++seed) {
       const double rate = std::array{0.5, 0.1, 0.9, 1.0}[seed % 4];
       Signs<D> mine(lattice), theirs(lattice);
-      const auto bytes = thrown<D>(seed, rate, [&](auto& ask) { BaseCoder<D>().tell(ask, mine); });
-      ASSERT_TRUE(heard<D>(bytes, [&](auto& ask) { BaseCoder<D>().tell(ask, theirs); }));
+      const auto bytes = thrown<D>(seed, rate, [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
+      ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
       ASSERT_EQ(DenseSigns<D>(theirs), DenseSigns<D>(mine)) << "seed " << seed;
     }
   }
@@ -62,8 +62,8 @@ TYPED_TEST(BaseCoderTest, randomAnswersAreAlwaysSomeSurface) {
 
 /// Counts for which vertices a sign is asked.
 template <int D>
-struct Counting : TruthExchange<D, Meter, NoScalars> {
-  using Base = TruthExchange<D, Meter, NoScalars>;
+struct Counting : EncoderExchange<D, Meter, NoScalars> {
+  using Base = EncoderExchange<D, Meter, NoScalars>;
   using Base::Base;
   [[nodiscard]] bool positive(const Coordinates<D>& v) const {
     ++asked[v];
@@ -77,23 +77,23 @@ TYPED_TEST(BaseCoderTest, tellsTheTubesVerticesOnceAndNoOthers) {
   for (const auto& lattice : lattices<D>()) {
     for (const auto& field : signFields<D>(lattice.box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(lattice.box));
-      const auto truth = DenseSigns<D>(lattice, field.positive).bricks();
+      const auto actual = DenseSigns<D>(lattice, field.positive).bricks();
       std::set<Coordinates<D>> tube;
       for (std::size_t n = 0; n < Simplex<D>::count(lattice); ++n) {
         const auto simplex = Simplex<D>::at(n, lattice);
         int positives = 0;
-        for (int i = 0; i <= D; ++i) positives += truth.at(simplex.vertex(i));
+        for (int i = 0; i <= D; ++i) positives += actual.at(simplex.vertex(i));
         if (positives == 0 || positives == D + 1) continue;
         for (int i = 0; i <= D; ++i) tube.insert(simplex.vertex(i));
       }
       Meter meter;
       const NoScalars none;
-      Counting<D> ask(meter, truth, none);
+      Counting<D> exchange(meter, actual, none);
       Signs<D> signs(lattice);
-      BaseCoder<D>().tell(ask, signs);
+      BaseCoder<D>().code(exchange, signs);
       if (tube.empty()) tube.insert(Coordinates<D>{});  // one sign stands for all
-      EXPECT_EQ(ask.asked.size(), tube.size());
-      for (const auto& [vertex, times] : ask.asked) {
+      EXPECT_EQ(exchange.asked.size(), tube.size());
+      for (const auto& [vertex, times] : exchange.asked) {
         EXPECT_TRUE(tube.contains(vertex)) << testing::PrintToString(vertex);
         EXPECT_EQ(times, 1) << testing::PrintToString(vertex);
       }
@@ -104,10 +104,10 @@ TYPED_TEST(BaseCoderTest, tellsTheTubesVerticesOnceAndNoOthers) {
 TEST(BaseCoder, nothingIsAByteAtMost) {
   const Lattice<3> lattice({8, 8, 8}, 1);
   for (bool positive : {false, true}) {
-    const DenseSigns<3> truth(lattice, [=](const auto&) { return positive; });
+    const DenseSigns<3> actual(lattice, [=](const auto&) { return positive; });
     Signs<3> signs(lattice);
-    EXPECT_LE(told(truth.bricks(), NoScalars(), [&](auto& ask) { BaseCoder<3>().tell(ask, signs); }).size(), 1u);
-    EXPECT_EQ(DenseSigns<3>(signs), truth);
+    EXPECT_LE(coded(actual.bricks(), NoScalars(), [&](auto& exchange) { BaseCoder<3>().code(exchange, signs); }).size(), 1u);
+    EXPECT_EQ(DenseSigns<3>(signs), actual);
   }
 }
 

@@ -69,7 +69,7 @@ TEST(Bricks, placesAreNumberedWithoutGaps) {
   EXPECT_EQ(table.count(1), 1);
   EXPECT_EQ(table.count(2), 4);
   EXPECT_EQ(table.total(), 12u);
-  for (std::size_t place = 0; place < table.total(); ++place) EXPECT_EQ(table.place(table.brick(place)), place);
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) EXPECT_EQ(table.index(table.brick(brickIndex)), brickIndex);
 }
 
 }  // namespace

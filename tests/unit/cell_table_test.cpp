@@ -103,11 +103,11 @@ TEST(CellTable, cellsMeetInTheirCommonFace) {
       std::map<unsigned, std::set<Segment>> near;
       const unsigned next = polygonizer == Polygonizer::Cubes ? 0 : parity ^ 1u << axis;
       for (unsigned signs = 0; signs < 256; ++signs) {
-        std::set<Segment> turned;
+        std::set<Segment> flipped;
         for (const auto& [a, b] : inFace(outlineOf(cellTable(polygonizer, next)[signs]), axis, false))
-          turned.insert({b, a});
-        const auto [at, fresh] = near.emplace(faceSigns(signs, axis, false), turned);
-        EXPECT_TRUE(fresh || at->second == turned) << "a face's outline depends on more than its signs: " << signs;
+          flipped.insert({b, a});
+        const auto [at, isFirst] = near.emplace(faceSigns(signs, axis, false), flipped);
+        EXPECT_TRUE(isFirst || at->second == flipped) << "a face's outline depends on more than its signs: " << signs;
       }
       for (unsigned signs = 0; signs < 256; ++signs) {
         EXPECT_EQ(inFace(outlineOf(cellTable(polygonizer, parity)[signs]), axis, true),

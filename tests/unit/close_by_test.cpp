@@ -41,8 +41,8 @@ template <int D>
 struct LevelField {
   using Value = std::function<int32_t(const Coordinates<D>&)>;
 
-  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const {
-    Coordinates<D> v = table.brick(place);
+  [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
+    Coordinates<D> v = table.brick(brickIndex);
     for (int32_t& c : v) c *= kBrickSide;
     v[0] += x;
     for (int a = 1; a < D; ++a, r /= kBrickSide) v[a] += static_cast<int32_t>(r % kBrickSide);
@@ -50,7 +50,7 @@ struct LevelField {
     return static_cast<uint32_t>(away >= 0 ? away : -1 - away);
   }
   [[nodiscard]] int gradient(std::size_t) const { return 24; }
-  [[nodiscard]] bool selected(std::size_t place) const { return place % 2 == 0; }
+  [[nodiscard]] bool selected(std::size_t brickIndex) const { return brickIndex % 2 == 0; }
 
   BrickTable<D> table;
   Value value;
@@ -59,26 +59,26 @@ struct LevelField {
 
 /// A first isovalue that is known in part, and further ones told on top of it.
 template <int D>
-class Telling {
+class Coding {
  public:
-  Telling(const Coordinates<D>& box, typename LevelField<D>::Value value)
+  Coding(const Coordinates<D>& box, typename LevelField<D>::Value value)
       : lattice_(box, 1), field_{BrickTable<D>(lattice_), std::move(value)}, first_(signsAt(0)), scalars_(first_.table().total()) {
     // Octaves of the first one's tube only.
-    OctavesCoder<D> octaves;
+    ExponentCoder<D> exponents;
     const auto active = activeBricks(first_);
-    (void)told<D>(first_, field_, [&](auto& ask) { octaves.tell(ask, first_, scalars_, Members::AxisEnds, 2, active); });
+    (void)coded<D>(first_, field_, [&](auto& exchange) { exponents.code(exchange, first_, scalars_, Members::AxisEnds, 2, active); });
   }
 
   void add(int32_t level) {
     field_.level = level;
-    const Signs<D> truth = signsAt(level);
-    pass(truth, [&](auto& ask, CloseBy<D>& side) { side.signs(ask, {0.0, first_, scalars_}, level, level, 0); });
-    expectSigns(truth);
-    pass(truth, [&](auto& ask, CloseBy<D>& side) { side.octaves(ask, Members::AxisEnds, 2); });
+    const Signs<D> actual = signsAt(level);
+    pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) { side.signs(exchange, {0.0, first_, scalars_}, level, level, 0); });
+    expectSigns(actual);
+    pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) { side.exponents(exchange, Members::AxisEnds, 2); });
     typename FarEnds<D>::Allowed allowed;
     allowed.fill(3000);
     for (const bool selective : {true, false}) {
-      pass(truth, [&](auto& ask, CloseBy<D>& side) { side.halvings(ask, {Members::AxisEnds, allowed, 30, selective}); });
+      pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) { side.magnitudes(exchange, {Members::AxisEnds, allowed, 30, selective}); });
     }
     expectScalars();
   }
@@ -87,30 +87,30 @@ class Telling {
   [[nodiscard]] Signs<D> signsAt(int32_t level) const {
     return DenseSigns<D>(lattice_, [&](const auto& v) { return field_.value(v) >= level; }).bricks();
   }
-  template <class Tell>
-  void pass(const Signs<D>& truth, Tell tell) {
-    const auto bytes = told<D>(truth, field_, [&](auto& ask) { tell(ask, mine_); });
-    EXPECT_TRUE(heard<D>(bytes, [&](auto& ask) { tell(ask, theirs_); }));
+  template <class Code>
+  void pass(const Signs<D>& actual, Code code) {
+    const auto bytes = coded<D>(actual, field_, [&](auto& exchange) { code(exchange, mine_); });
+    EXPECT_TRUE(decoded<D>(bytes, [&](auto& exchange) { code(exchange, theirs_); }));
   }
-  void expectSigns(const Signs<D>& truth) const {
+  void expectSigns(const Signs<D>& actual) const {
     const auto& found = theirs_.surfaces().back().signs;
     Coordinates<D> v{};
     for (uint64_t i = 0; i < lattice_.vertices(); ++i) {
-      ASSERT_EQ(found.at(v), truth.at(v)) << testing::PrintToString(v);
+      ASSERT_EQ(found.at(v), actual.at(v)) << testing::PrintToString(v);
       for (int a = 0; a < D && ++v[a] > lattice_.last[a]; ++a) v[a] = 0;
     }
   }
   /// Each vertex of the tube has a scalar of its sign, the same on both sides.
   void expectScalars() const {
-    const NearSurface<D>&found = theirs_.surfaces().back(), &expected = mine_.surfaces().back();
+    const FurtherSurface<D>&found = theirs_.surfaces().back(), &expected = mine_.surfaces().back();
     Tube<D> tube;
-    for (std::size_t place = 0; place < found.active.size(); ++place) {
-      ASSERT_EQ(found.scalars.has(place), expected.scalars.has(place));
-      ASSERT_EQ(found.scalars.at(place).value, expected.scalars.at(place).value);
-      if (found.active[place] == 0) continue;
-      tube.enter(found.signs, place, Members::AxisEnds);
+    for (std::size_t brickIndex = 0; brickIndex < found.active.size(); ++brickIndex) {
+      ASSERT_EQ(found.scalars.has(brickIndex), expected.scalars.has(brickIndex));
+      ASSERT_EQ(found.scalars.at(brickIndex).value, expected.scalars.at(brickIndex).value);
+      if (found.active[brickIndex] == 0) continue;
+      tube.enter(found.signs, brickIndex, Members::AxisEnds);
       tube.forEach([&](int row, std::size_t r, int x) {
-        const int32_t value = found.scalars.at(place).value[r * kBrickSide + static_cast<std::size_t>(x)];
+        const int32_t value = found.scalars.at(brickIndex).value[r * kBrickSide + static_cast<std::size_t>(x)];
         ASSERT_NE(value, Scalars<D>::kUnknown);
         ASSERT_EQ(value > 0, tube.positive(row, x));
       });
@@ -121,7 +121,7 @@ class Telling {
   LevelField<D> field_;
   Signs<D> first_;
   Scalars<D> scalars_;
-  CloseBy<D> mine_, theirs_;
+  FurtherIsovalues<D> mine_, theirs_;
 };
 
 template <int D>
@@ -137,38 +137,38 @@ std::vector<typename LevelField<D>::Value> levelFields() {
 }
 
 template <int D>
-void expectHeard(const Coordinates<D>& box) {
+void expectDecoded(const Coordinates<D>& box) {
   for (const auto& field : levelFields<D>()) {
-    Telling<D> telling(box, field);
-    for (const int32_t level : {10, 30, -25, 20, 0, 2000, -2000, 150}) telling.add(level);
+    Coding<D> coding(box, field);
+    for (const int32_t level : {10, 30, -25, 20, 0, 2000, -2000, 150}) coding.add(level);
   }
 }
 
-TEST(CloseBy, isHeardAsTold2D) {
-  for (const auto& box : {Coordinates<2>{16, 16}, {30, 7}, {1, 1}, {0, 5}, {100, 40}}) expectHeard<2>(box);
+TEST(FurtherIsovalues, isHeardAsTold2D) {
+  for (const auto& box : {Coordinates<2>{16, 16}, {30, 7}, {1, 1}, {0, 5}, {100, 40}}) expectDecoded<2>(box);
 }
-TEST(CloseBy, isHeardAsTold3D) {
-  for (const auto& box : {Coordinates<3>{16, 16, 16}, {30, 7, 9}, {1, 1, 1}, {40, 2, 25}}) expectHeard<3>(box);
+TEST(FurtherIsovalues, isHeardAsTold3D) {
+  for (const auto& box : {Coordinates<3>{16, 16, 16}, {30, 7, 9}, {1, 1, 1}, {40, 2, 25}}) expectDecoded<3>(box);
 }
 
-TEST(CloseBy, anyAnswersAreAStream) {
+TEST(FurtherIsovalues, anyAnswersAreAStream) {
   const Lattice<3> lattice({20, 17, 18}, 1);
   const Signs<3> first = DenseSigns<3>(lattice, [](const auto& v) { return v[0] + v[1] > 15; }).bricks();
   const Scalars<3> none(first.table().total());
   for (uint64_t seed = 0; seed < 8; ++seed) {
-    CloseBy<3> dice, listener;
+    FurtherIsovalues<3> dice, decodingSide;
     for (const int32_t level : {5, -5, 2, (1 << 29) - 1}) {
-      const auto run = [&](auto tell) {
-        const auto bytes = thrown<3>(seed, seed % 2 == 0 ? 1 : 0.3, [&](auto& ask) { tell(ask, dice); });
-        EXPECT_TRUE(heard<3>(bytes, [&](auto& ask) { tell(ask, listener); }));
+      const auto run = [&](auto code) {
+        const auto bytes = thrown<3>(seed, seed % 2 == 0 ? 1 : 0.3, [&](auto& exchange) { code(exchange, dice); });
+        EXPECT_TRUE(decoded<3>(bytes, [&](auto& exchange) { code(exchange, decodingSide); }));
       };
-      run([&](auto& ask, CloseBy<3>& side) { side.signs(ask, {0.0, first, none}, level, level, 1); });
-      run([&](auto& ask, CloseBy<3>& side) { side.octaves(ask, Members::AxisEnds, 3); });
-      run([&](auto& ask, CloseBy<3>& side) { side.halvings(ask, {Members::AxisEnds, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false}); });
-      const auto &a = dice.surfaces().back(), &b = listener.surfaces().back();
-      for (std::size_t place = 0; place < a.active.size(); ++place) {
-        ASSERT_EQ(a.signs.brickAt(place), b.signs.brickAt(place));
-        ASSERT_EQ(a.scalars.at(place).value, b.scalars.at(place).value);
+      run([&](auto& exchange, FurtherIsovalues<3>& side) { side.signs(exchange, {0.0, first, none}, level, level, 1); });
+      run([&](auto& exchange, FurtherIsovalues<3>& side) { side.exponents(exchange, Members::AxisEnds, 3); });
+      run([&](auto& exchange, FurtherIsovalues<3>& side) { side.magnitudes(exchange, {Members::AxisEnds, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false}); });
+      const auto &a = dice.surfaces().back(), &b = decodingSide.surfaces().back();
+      for (std::size_t brickIndex = 0; brickIndex < a.active.size(); ++brickIndex) {
+        ASSERT_EQ(a.signs.brickAt(brickIndex), b.signs.brickAt(brickIndex));
+        ASSERT_EQ(a.scalars.at(brickIndex).value, b.scalars.at(brickIndex).value);
       }
     }
   }

@@ -14,8 +14,8 @@ namespace {
 
 /// Steps that depend on place and block only.
 struct ScatteredSteps : NoScalars {
-  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const {
-    const std::size_t n = place * 131 + block * 17;
+  [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const {
+    const std::size_t n = brickIndex * 131 + block * 17;
     return n % 3 == 0 ? static_cast<int>(n % 9) - 4 : 0;
   }
 };
@@ -27,14 +27,14 @@ void hearsWhatIsTold(const Coordinates<D>& box) {
     const auto signs = DenseSigns<D>(lattice, field.positive).bricks();
     const auto active = activeBricks(signs);
     DisplacementCoder<D> mine, theirs;
-    Displacements<D> told(active.size()), heard(active.size());
+    Displacements<D> coded(active.size()), decoded(active.size());
     for (const DisplacementPass& pass : {DisplacementPass{3, 20}, {2, 12}, {1, 12}, {1, 3}, {2, 1}}) {
-      const auto bytes = isostar::told<D>(signs, ScatteredSteps(), [&](auto& ask) { mine.tell(ask, signs, told, pass, active); });
+      const auto bytes = isostar::coded<D>(signs, ScatteredSteps(), [&](auto& exchange) { mine.code(exchange, signs, coded, pass, active); });
       RangeDecoder coder(bytes);
-      BlindExchange<D> ask(coder, 8, UINT64_MAX);
-      theirs.tell(ask, signs, heard, pass, active);
-      ASSERT_FALSE(ask.spent()) << field.name;
-      for (std::size_t place = 0; place < active.size(); ++place) ASSERT_EQ(told.at(place), heard.at(place)) << field.name;
+      DecoderExchange<D> exchange(coder, 8, UINT64_MAX);
+      theirs.code(exchange, signs, decoded, pass, active);
+      ASSERT_FALSE(exchange.exhausted()) << field.name;
+      for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) ASSERT_EQ(coded.at(brickIndex), decoded.at(brickIndex)) << field.name;
     }
   }
 }
@@ -49,11 +49,11 @@ TEST(Displacement, endsWhereTheBytesEnd) {
   const auto signs = DenseSigns<3>(Lattice<3>({30, 30, 30}, 1), signFields<3>({30, 30, 30}).front().positive).bricks();
   const auto active = activeBricks(signs);
   DisplacementCoder<3> coder;
-  Displacements<3> told(active.size());
+  Displacements<3> coded(active.size());
   RangeDecoder nothing({});
-  BlindExchange<3> ask(nothing, 0, UINT64_MAX);
-  coder.tell(ask, signs, told, {1, 1}, active);
-  EXPECT_TRUE(ask.spent());
+  DecoderExchange<3> exchange(nothing, 0, UINT64_MAX);
+  coder.code(exchange, signs, coded, {1, 1}, active);
+  EXPECT_TRUE(exchange.exhausted());
 }
 
 /// Samples of a function in 33³.
@@ -68,13 +68,13 @@ std::vector<float> sampled(double (*f)(double, double, double)) {
 }
 
 /// The error that is left after cubes of 4 and of 2 vertices, of what the signs alone leave; so many octaves before the finest.
-double left(double (*f)(double, double, double), Kernel kernel, int coarser = 0) {
+double left(double (*f)(double, double, double), SmoothingFilter filter, int coarser = 0) {
   const auto samples = sampled(f);
   const GridField<3> field(samples, {33, 33, 33}, 0);
   auto signs = field.signs();
   while (coarser-- > 0) signs = coarsened(signs);
   const auto active = activeBricks(signs);
-  const DisplacementPlan<3> plan(field, signs, active, kernel);
+  const DisplacementPlan<3> plan(field, signs, active, filter);
   const double first = plan.error({});
   Displacements<3> reached;
   for (const DisplacementPass& pass : {DisplacementPass{2, 12}, {1, 12}, {1, 3}}) reached = plan.reached(reached, plan.next(reached, pass).steps, pass);
@@ -82,16 +82,16 @@ double left(double (*f)(double, double, double), Kernel kernel, int coarser = 0)
 }
 
 TEST(Displacement, findsWhatSignsLeaveOpen) {
-  for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
-    EXPECT_LT(left([](double, double, double z) { return z - 15.85; }, kernel), 0.1);
-    EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, kernel), 0.7);
+  for (const SmoothingFilter filter : {SmoothingFilter::Narrow, SmoothingFilter::Middle, SmoothingFilter::Wide}) {
+    EXPECT_LT(left([](double, double, double z) { return z - 15.85; }, filter), 0.1);
+    EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, filter), 0.7);
   }
 }
 
 TEST(Displacement, findsWhatSignsOfCoarserOctavesLeaveOpen) {
   for (const int coarser : {1, 2}) {
-    EXPECT_LT(left([](double, double, double z) { return z - 13.3; }, Kernel::Narrow, coarser), 0.15) << coarser;
-    EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, Kernel::Narrow, coarser), 0.8) << coarser;
+    EXPECT_LT(left([](double, double, double z) { return z - 13.3; }, SmoothingFilter::Narrow, coarser), 0.15) << coarser;
+    EXPECT_LT(left([](double x, double y, double z) { return 11.3 - std::hypot(x - 16, y - 16, z - 16); }, SmoothingFilter::Narrow, coarser), 0.8) << coarser;
   }
 }
 
@@ -100,20 +100,20 @@ TEST(Displacement, whatIsPlannedIsWhatIsTold) {
   const GridField<3> field(samples, {33, 33, 33}, 0);
   const auto signs = field.signs();
   const auto active = activeBricks(signs);
-  const DisplacementPlan<3> plan(field, signs, active, Kernel::Wide);
+  const DisplacementPlan<3> plan(field, signs, active, SmoothingFilter::Wide);
   struct Planned : NoScalars {
-    [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return steps.at(place)[block]; }
+    [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const { return steps.at(brickIndex)[block]; }
     Displacements<3> steps;
   } planned;
   DisplacementCoder<3> coder;
-  Displacements<3> told(active.size());
+  Displacements<3> coded(active.size());
   for (const DisplacementPass& pass : {DisplacementPass{2, 12}, {1, 12}, {1, 6}}) {
-    planned.steps = plan.next(told, pass).steps;
-    const auto reached = plan.reached(told, planned.steps, pass);
-    (void)isostar::told<3>(signs, planned, [&](auto& ask) { coder.tell(ask, signs, told, pass, active); });
-    for (std::size_t place = 0; place < active.size(); ++place) {
-      if (active[place] != 0) {
-        ASSERT_EQ(told.at(place), reached.at(place));
+    planned.steps = plan.next(coded, pass).steps;
+    const auto reached = plan.reached(coded, planned.steps, pass);
+    (void)isostar::coded<3>(signs, planned, [&](auto& exchange) { coder.code(exchange, signs, coded, pass, active); });
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+      if (active[brickIndex] != 0) {
+        ASSERT_EQ(coded.at(brickIndex), reached.at(brickIndex));
       }
     }
   }
@@ -123,15 +123,15 @@ TEST(Displacement, isSmoothBetweenBlocks) {
   const Lattice<3> lattice({23, 23, 23}, 1);
   const BrickTable<3> table(lattice);
   Displacements<3> displacements(table.total());
-  for (std::size_t place = 0; place < table.total(); ++place) {
-    auto& brick = displacements.writable(place);
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
+    auto& brick = displacements.writable(brickIndex);
     for (std::size_t block = 0; block < brick.size(); ++block) {
-      brick[block] = (place + block) % 5 == 0 ? Displacements<3>::kNone : static_cast<int8_t>(static_cast<int>(place * 64 + block) * 37 % 255 - 127);
+      brick[block] = (brickIndex + block) % 5 == 0 ? Displacements<3>::kNone : static_cast<int8_t>(static_cast<int>(brickIndex * 64 + block) * 37 % 255 - 127);
     }
   }
   DisplacementWindow<3> window;
-  for (std::size_t place = 0; place < table.total(); ++place) {
-    window.load(displacements, table, table.brick(place));
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
+    window.load(displacements, table, table.brick(brickIndex));
     window.spread();
     for (std::size_t r = 0; r < 64; ++r) {
       for (int x = 0; x < 8; ++x) {
@@ -150,7 +150,7 @@ void holdsTheFarthest() {
   const BrickTable<D> table{Lattice<D>(box, 1)};
   for (const int far : {127, -127}) {
     Displacements<D> displacements(table.total());
-    for (std::size_t place = 0; place < table.total(); ++place) displacements.writable(place).fill(static_cast<int8_t>(far));
+    for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) displacements.writable(brickIndex).fill(static_cast<int8_t>(far));
     Coordinates<D> middle;
     middle.fill(1);
     DisplacementWindow<D> window;
@@ -174,10 +174,10 @@ TEST(Shape, aPlaneHasTheSameSlopeInEachKernel) {
   Window<3> window;
   window.load(signs, {1, 1, 1});
   std::array<double, 3> slopes{};
-  for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
-    ShapeEstimate<3> shapes(kernel);
+  for (const SmoothingFilter filter : {SmoothingFilter::Narrow, SmoothingFilter::Middle, SmoothingFilter::Wide}) {
+    ShapeEstimate<3> shapes(filter);
     shapes.load(window);
-    slopes[static_cast<std::size_t>(kernel)] = shapes.sum(27, 4) - shapes.sum(27, 3);  // across the plane
+    slopes[static_cast<std::size_t>(filter)] = shapes.sum(27, 4) - shapes.sum(27, 3);  // across the plane
   }
   for (const double slope : slopes) EXPECT_NEAR(slope, slopes[2], 0.01 * slopes[2]);
 }

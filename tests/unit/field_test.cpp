@@ -97,9 +97,9 @@ TEST(Field, gradientIsTheMedianDifference) {
   const GridField<3> field(samples, size, 2048.5);
   const auto signs = field.signs();
   Header header;
-  header.quantum = 1;
-  for (std::size_t place = 0; place < signs.table().total(); ++place) {
-    const auto brick = signs.table().brick(place);
+  header.quantizationStep = 1;
+  for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) {
+    const auto brick = signs.table().brick(brickIndex);
     std::vector<double> differences;
     forVertices(Lattice<3>(field.last(), 1), [&](const Coordinates<3>& v) {
       for (int a = 0; a < 3; ++a) {
@@ -113,7 +113,7 @@ TEST(Field, gradientIsTheMedianDifference) {
     });
     std::ranges::sort(differences);
     const double median = differences.empty() ? 1 : differences[differences.size() / 2];
-    EXPECT_EQ(field.gradient(header, signs, place), std::lround(4 * std::log2(std::max(1.0, median)))) << place;
+    EXPECT_EQ(field.gradient(header, signs, brickIndex), std::lround(4 * std::log2(std::max(1.0, median)))) << brickIndex;
   }
 }
 

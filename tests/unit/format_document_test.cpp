@@ -38,13 +38,13 @@ TEST(FormatDocument, itsHeaderIsAsItSays) {
   EXPECT_EQ(header.dimension, 3);
   EXPECT_EQ(header.size, (Coordinates<4>{7, 6, 9, 1}));
   EXPECT_EQ(header.isovalue, 0.25);
-  EXPECT_EQ(header.quantum, 0x1p-27);
+  EXPECT_EQ(header.quantizationStep, 0x1p-27);
   EXPECT_EQ(header.maxError, 0.1);
   EXPECT_EQ(header.vertices, 50u);
   EXPECT_EQ(header.placement.spacing, (std::array{0.5, 0.5, 1.25}));
   EXPECT_EQ(header.placement.origin, Placement().origin);
   EXPECT_EQ(header.bytes, 61u);
-  EXPECT_EQ(header.octaves(), 1);
+  EXPECT_EQ(header.finestLevel(), 1);
   EXPECT_FALSE(header.lossless || header.adaptive || header.whole || header.keepsTopology);
   Bytes again;
   ByteWriter out(again);
@@ -67,7 +67,7 @@ TEST(FormatDocument, itsLayersAreAsItSays) {
   std::size_t used = 0;
   ASSERT_EQ(read(bytes, header, used), Error::None);
   for (const HeadOf& expected : {HeadOf{20, LayerKind::Base, 0, 1, 4, 0x7A06}, HeadOf{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
-                                 HeadOf{39, LayerKind::Octaves, 1, 0.0573, 14, 0xE84B}, HeadOf{58, LayerKind::Halving, 1, 0.0170, 18, 0x1592}}) {
+                                 HeadOf{39, LayerKind::Exponents, 1, 0.0573, 14, 0xE84B}, HeadOf{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x1592}}) {
     LayerHead head;
     ASSERT_EQ(read(std::span(bytes).subspan(expected.at), header, head, used), Error::None);
     EXPECT_EQ(used, 5u);
@@ -84,15 +84,15 @@ TEST(FormatDocument, itsPassesAreAsItSays) {
   const Bytes bytes = example();
   const std::span<const std::byte> stream(bytes);
   GeometryPass<3> pass;
-  ByteReader octaves(stream.subspan(44));
-  ASSERT_TRUE(pass.read(octaves));
-  EXPECT_EQ(octaves.position(), 1u);
+  ByteReader exponents(stream.subspan(44));
+  ASSERT_TRUE(pass.read(exponents));
+  EXPECT_EQ(exponents.position(), 1u);
   EXPECT_EQ(pass.members, Members::AxisEnds);
   EXPECT_EQ(pass.depth, 3);
-  pass.kind = LayerKind::Halving;
-  ByteReader halving(stream.subspan(63));
-  ASSERT_TRUE(pass.read(halving));
-  EXPECT_EQ(halving.position(), 74u - 63u);
+  pass.kind = LayerKind::Magnitudes;
+  ByteReader magnitudePass(stream.subspan(63));
+  ASSERT_TRUE(pass.read(magnitudePass));
+  EXPECT_EQ(magnitudePass.position(), 74u - 63u);
   EXPECT_EQ(pass.members, Members::AxisEnds);
   EXPECT_FALSE(pass.selective);
   EXPECT_EQ(pass.most, 30);
@@ -101,12 +101,12 @@ TEST(FormatDocument, itsPassesAreAsItSays) {
 
 TEST(FormatDocument, itsExampleDecodes) {
   Decoder decoder;
-  decoder.feed(example());
+  decoder.accept(example());
   decoder.finish();
   while (decoder.advance()) {
   }
   EXPECT_EQ(decoder.error(), Error::None);
-  EXPECT_TRUE(decoder.complete());
+  EXPECT_TRUE(decoder.isFinal());
   Mesh mesh;
   ASSERT_EQ(decoder.mesh({}, mesh), Error::None);
   EXPECT_EQ(mesh.positions.size(), 3 * 50u);
@@ -117,11 +117,11 @@ TEST(FormatDocument, itsDecisionsAreAsItSays) {
       {{true, 32768}, {false, 16384}, {true, 65512}, {false, 60000}, {true, 24}, {false, 65512}, {true, 1000}}};
   Bytes bytes;
   RangeEncoder encoder(bytes);
-  for (const auto& [truth, chance] : kDecisions) encoder.bit(truth, chance);
+  for (const auto& [actual, probability] : kDecisions) encoder.bit(actual, probability);
   encoder.finish();
   EXPECT_EQ(bytes, (Bytes{std::byte{0x77}, std::byte{0xDB}, std::byte{0x5A}, std::byte{0xB5}, std::byte{0xC4}}));
   RangeDecoder decoder(bytes);
-  for (const auto& [truth, chance] : kDecisions) EXPECT_EQ(decoder.bit(false, chance), truth);
+  for (const auto& [actual, probability] : kDecisions) EXPECT_EQ(decoder.bit(false, probability), actual);
   EXPECT_EQ(decoder.overrun(), 3u);
 }
 

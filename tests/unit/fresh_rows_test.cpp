@@ -8,9 +8,9 @@ namespace isostar {
 namespace {
 
 template <class Dimension>
-class FreshRowsTest : public testing::Test {};
+class NewVertexRowsTest : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
-TYPED_TEST_SUITE(FreshRowsTest, Dimensions);
+TYPED_TEST_SUITE(NewVertexRowsTest, Dimensions);
 
 template <int D>
 std::vector<Coordinates<D>> boxes() {
@@ -21,7 +21,7 @@ std::vector<Coordinates<D>> boxes() {
 
 /// How many of a diamond's vertices are positive, and how many there are, by the definition.
 template <int D>
-std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v, unsigned fresh) {
+std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v, unsigned newAxes) {
   int positives = 0, all = 0;
   Coordinates<D> low, high;
   low.fill(-1);
@@ -30,7 +30,7 @@ std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordin
     bool corner = true, across = false, beside = true;
     Coordinates<D> w;
     for (int a = 0; a < D; ++a) {
-      const bool inO = (fresh >> a & 1) != 0;
+      const bool inO = (newAxes >> a & 1) != 0;
       corner = corner && (d[a] != 0) == inO;
       beside = beside && (d[a] == 0 || !inO);
       across = across || d[a] != 0;
@@ -45,39 +45,39 @@ std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordin
 
 /// Calls visit(vertex, its row, its number there) for the members of all classes in all bricks.
 template <int D, class Visit>
-void forEachFreshMember(const Signs<D>& signs, const Signs<D>& absent, Visit visit) {
-  FreshRows<D> rows;
+void forEachNewMember(const Signs<D>& signs, const Signs<D>& absent, Visit visit) {
+  NewVertexRows<D> rows;
   for (int dimension = 1; dimension <= D; ++dimension) {
-    for (std::size_t place = 0; place < signs.table().total(); ++place) {
-      rows.enter(signs, &absent, place, dimension);
+    for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) {
+      rows.enter(signs, &absent, brickIndex, dimension);
       for (int i = 0; i < rows.count(); ++i) {
         const auto& row = rows.row(i);
-        EXPECT_EQ(std::popcount(unsigned{row.fresh}), dimension);
+        EXPECT_EQ(std::popcount(unsigned{row.newAxes}), dimension);
         for (uint32_t members = row.members; members != 0; members &= members - 1) {
           const int x = std::countr_zero(members);
-          visit(vertexOf<D>(signs.table().brick(place), row.brick * std::size_t{kBrickSide} + static_cast<std::size_t>(x)), row, x);
+          visit(vertexOf<D>(signs.table().brick(brickIndex), row.brick * std::size_t{kBrickSide} + static_cast<std::size_t>(x)), row, x);
         }
       }
     }
   }
 }
 
-TYPED_TEST(FreshRowsTest, areOpenAndAbsentAsTheirDiamondsSay) {
+TYPED_TEST(NewVertexRowsTest, areOpenAndAbsentAsTheirDiamondsSay) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Lattice<D> lattice(box, 1);
     const DenseSigns<D> gone(lattice, [](const Coordinates<D>& v) { return scrambled<D>(v, 9) % 30 == 0; });
     uint64_t expected = 0;
-    forVertices(lattice, [&](const Coordinates<D>& v) { expected += lattice.freshAxes(v) != 0 ? 1 : 0; });
+    forVertices(lattice, [&](const Coordinates<D>& v) { expected += lattice.newAxes(v) != 0 ? 1 : 0; });
     for (const auto& field : signFields<D>(box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(box));
-      const DenseSigns<D> truth(lattice, field.positive);
+      const DenseSigns<D> actual(lattice, field.positive);
       uint64_t seen = 0;
-      forEachFreshMember(truth.bricks(), gone.bricks(), [&](const Coordinates<D>& v, const auto& row, int x) {
-        const unsigned fresh = lattice.freshAxes(v);
-        const auto [positives, all] = positivesOfDiamond<D>(truth, v, fresh);
-        const bool absent = positivesOfDiamond<D>(gone, v, fresh).first != 0;
-        EXPECT_EQ(fresh, row.fresh) << testing::PrintToString(v);
+      forEachNewMember(actual.bricks(), gone.bricks(), [&](const Coordinates<D>& v, const auto& row, int x) {
+        const unsigned newAxes = lattice.newAxes(v);
+        const auto [positives, all] = positivesOfDiamond<D>(actual, v, newAxes);
+        const bool absent = positivesOfDiamond<D>(gone, v, newAxes).first != 0;
+        EXPECT_EQ(newAxes, row.newAxes) << testing::PrintToString(v);
         EXPECT_EQ((row.absent >> x & 1) != 0, absent) << testing::PrintToString(v);
         EXPECT_EQ((row.open >> x & 1) != 0, !absent && positives != 0 && positives != all) << testing::PrintToString(v);
         ++seen;

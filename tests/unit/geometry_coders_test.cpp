@@ -21,18 +21,18 @@ struct WholeField {
     const int32_t x = value(v);
     return static_cast<uint32_t>(x > 0 ? x - 1 : -x);
   }
-  [[nodiscard]] Coordinates<D> vertex(std::size_t place, std::size_t r, int x) const {
-    Coordinates<D> v = table.brick(place);
+  [[nodiscard]] Coordinates<D> vertex(std::size_t brickIndex, std::size_t r, int x) const {
+    Coordinates<D> v = table.brick(brickIndex);
     for (int32_t& c : v) c *= kBrickSide;
     v[0] += x;
     for (int a = 1; a < D; ++a, r /= kBrickSide) v[a] += static_cast<int32_t>(r % kBrickSide);
     return v;
   }
-  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const {
-    return magnitudeAt(vertex(place, r, x));
+  [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
+    return magnitudeAt(vertex(brickIndex, r, x));
   }
-  [[nodiscard]] int gradient(std::size_t place) const { return place % 3 == 0 ? steepest : 37; }
-  [[nodiscard]] bool selected(std::size_t place) const { return place % 2 == 0; }
+  [[nodiscard]] int gradient(std::size_t brickIndex) const { return brickIndex % 3 == 0 ? steepest : 37; }
+  [[nodiscard]] bool selected(std::size_t brickIndex) const { return brickIndex % 2 == 0; }
 
   BrickTable<D> table;
   Value value;
@@ -68,15 +68,15 @@ struct Side {
   const Signs<D>& signs;
   std::vector<uint8_t> active;
   Scalars<D> scalars;
-  OctavesCoder<D> octaves;
-  HalvingCoder<D> halvings;
+  ExponentCoder<D> exponents;
+  MagnitudeCoder<D> magnitudes;
 };
 
 template <int D>
 bool equal(const Side<D>& a, const Side<D>& b) {
-  for (std::size_t place = 0; place < a.active.size(); ++place) {
-    if (a.scalars.has(place) != b.scalars.has(place)) return false;
-    if (a.scalars.at(place).value != b.scalars.at(place).value)
+  for (std::size_t brickIndex = 0; brickIndex < a.active.size(); ++brickIndex) {
+    if (a.scalars.has(brickIndex) != b.scalars.has(brickIndex)) return false;
+    if (a.scalars.at(brickIndex).value != b.scalars.at(brickIndex).value)
       return false;
   }
   return true;
@@ -84,22 +84,22 @@ bool equal(const Side<D>& a, const Side<D>& b) {
 
 /// A field told and heard, pass by pass.
 template <int D>
-class Telling {
+class Coding {
  public:
-  Telling(const Coordinates<D>& box, typename WholeField<D>::Value value)
+  Coding(const Coordinates<D>& box, typename WholeField<D>::Value value)
       : field_(Lattice<D>(box, 1), std::move(value)),
         signs_(DenseSigns<D>(Lattice<D>(box, 1), [&](const auto& v) { return field_.value(v) > 0; }).bricks()),
         mine_(signs_),
         theirs_(signs_) {}
 
-  void octaves(Members members, int depth) {
-    pass([=](auto& ask, Side<D>& side) {
-      side.octaves.tell(ask, side.signs, side.scalars, members, depth, side.active);
+  void exponents(Members members, int depth) {
+    pass([=](auto& exchange, Side<D>& side) {
+      side.exponents.code(exchange, side.signs, side.scalars, members, depth, side.active);
     });
   }
-  void halving(Members members, const typename HalvingCoder<D>::Allowed& allowed, int most, bool selective) {
-    pass([=](auto& ask, Side<D>& side) {
-      side.halvings.tell(ask, side.signs, side.scalars, {members, allowed, most, selective}, side.active);
+  void magnitudePass(Members members, const typename MagnitudeCoder<D>::Allowed& allowed, int most, bool selective) {
+    pass([=](auto& exchange, Side<D>& side) {
+      side.magnitudes.code(exchange, side.signs, side.scalars, {members, allowed, most, selective}, side.active);
     });
   }
 
@@ -109,21 +109,21 @@ class Telling {
   template <class Visit>
   void forMembers(Members members, Visit visit) const {
     Tube<D> tube;
-    for (std::size_t place = 0; place < theirs_.active.size(); ++place) {
-      if (theirs_.active[place] == 0) continue;
-      tube.enter(signs_, place, members);
+    for (std::size_t brickIndex = 0; brickIndex < theirs_.active.size(); ++brickIndex) {
+      if (theirs_.active[brickIndex] == 0) continue;
+      tube.enter(signs_, brickIndex, members);
       tube.forEach([&](int, std::size_t r, int x) {
-        visit(field_.vertex(place, r, x), theirs_.scalars.at(place), r * kBrickSide + static_cast<std::size_t>(x));
+        visit(field_.vertex(brickIndex, r, x), theirs_.scalars.at(brickIndex), r * kBrickSide + static_cast<std::size_t>(x));
       });
     }
   }
 
-  void expectTruthInside(Members members) const {
+  void expectActualInside(Members members) const {
     forMembers(members, [&](const Coordinates<D>& v, const auto& brick, std::size_t at) {
       ASSERT_TRUE(brick.knows(at));
-      const uint32_t truth = field_.magnitudeAt(v);
-      ASSERT_LE(brick.low(at), truth) << testing::PrintToString(v);
-      ASSERT_LT(truth, brick.low(at) + (uint64_t{1} << brick.width(at))) << testing::PrintToString(v);
+      const uint32_t actual = field_.magnitudeAt(v);
+      ASSERT_LE(brick.low(at), actual) << testing::PrintToString(v);
+      ASSERT_LT(actual, brick.low(at) + (uint64_t{1} << brick.width(at))) << testing::PrintToString(v);
       ASSERT_EQ(brick.value[at] > 0, field_.value(v) > 0);
     });
   }
@@ -151,13 +151,13 @@ class Telling {
       brick[a] = v[a] / kBrickSide;
       at = at * kBrickSide + static_cast<std::size_t>(v[a] % kBrickSide);
     }
-    return theirs_.scalars.at(field_.table.place(brick)).middle(at);
+    return theirs_.scalars.at(field_.table.index(brick)).middle(at);
   }
 
-  template <class Tell>
-  void pass(Tell tell) {
-    const auto bytes = told(signs_, field_, [&](auto& ask) { tell(ask, mine_); });
-    ASSERT_TRUE(heard<D>(bytes, [&](auto& ask) { tell(ask, theirs_); }));
+  template <class Code>
+  void pass(Code code) {
+    const auto bytes = coded(signs_, field_, [&](auto& exchange) { code(exchange, mine_); });
+    ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { code(exchange, theirs_); }));
     ASSERT_TRUE(equal(mine_, theirs_));
   }
 
@@ -167,8 +167,8 @@ class Telling {
 };
 
 template <int D>
-typename HalvingCoder<D>::Allowed alike(uint32_t allowed) {
-  typename HalvingCoder<D>::Allowed all;
+typename MagnitudeCoder<D>::Allowed alike(uint32_t allowed) {
+  typename MagnitudeCoder<D>::Allowed all;
   all.fill(allowed);
   return all;
 }
@@ -190,15 +190,15 @@ TYPED_TEST(GeometryCoderTest, intervalsHoldTheTruthAfterEachPass) {
   for (const auto& field : wholeFields<D>()) {
     for (const int depth : {0, 3, 30}) {
       SCOPED_TRACE(field.name + ", depth " + std::to_string(depth));
-      Telling<D> telling(box<D>(), field.value);
+      Coding<D> coding(box<D>(), field.value);
       for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-        telling.octaves(members, depth);
-        telling.expectTruthInside(members);
+        coding.exponents(members, depth);
+        coding.expectActualInside(members);
       }
       for (uint32_t allowed : {8000u, 1000u}) {
         for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-          telling.halving(members, alike<D>(allowed), allowed == 8000 ? 2 : 30, allowed == 1000);
-          telling.expectTruthInside(members);
+          coding.magnitudePass(members, alike<D>(allowed), allowed == 8000 ? 2 : 30, allowed == 1000);
+          coding.expectActualInside(members);
         }
       }
     }
@@ -207,12 +207,12 @@ TYPED_TEST(GeometryCoderTest, intervalsHoldTheTruthAfterEachPass) {
 
 TYPED_TEST(GeometryCoderTest, crossingsOfASmoothFieldKeepTheBound) {
   constexpr int D = TypeParam::value;
-  Telling<D> telling(box<D>(), wholeFields<D>()[0].value);
-  telling.octaves(Members::AxisEnds, 3);
+  Coding<D> coding(box<D>(), wholeFields<D>()[0].value);
+  coding.exponents(Members::AxisEnds, 3);
   for (uint32_t allowed : {13000u, 3300u, 650u}) {
-    telling.halving(Members::AxisEnds, alike<D>(allowed), 30, false);
+    coding.magnitudePass(Members::AxisEnds, alike<D>(allowed), 30, false);
     // A quarter more: what moves a crossing is judged to first order.
-    EXPECT_LE(telling.furthest(), allowed / 65536.0 * 1.25);
+    EXPECT_LE(coding.furthest(), allowed / 65536.0 * 1.25);
   }
 }
 
@@ -220,18 +220,18 @@ TYPED_TEST(GeometryCoderTest, whereNothingMayMoveAllIsTold) {
   constexpr int D = TypeParam::value;
   for (const auto& field : wholeFields<D>()) {
     SCOPED_TRACE(field.name);
-    Telling<D> telling(box<D>(), field.value);
+    Coding<D> coding(box<D>(), field.value);
     auto nothing = alike<D>(0);
     nothing.back() = 1;  // diagonals count
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      telling.octaves(members, 3);
-      telling.halving(members, nothing, 30, false);
-      telling.expectTruthInside(members);
+      coding.exponents(members, 3);
+      coding.magnitudePass(members, nothing, 30, false);
+      coding.expectActualInside(members);
     }
-    EXPECT_LE(telling.furthest(), 0x1p-18);
+    EXPECT_LE(coding.furthest(), 0x1p-18);
     if (field.name == "large" || field.name == "all scales") continue;  // more bits than a single-precision vertex has
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      telling.forMembers(members, [&](const Coordinates<D>& v, const auto& brick, std::size_t at) {
+      coding.forMembers(members, [&](const Coordinates<D>& v, const auto& brick, std::size_t at) {
         EXPECT_EQ(brick.width(at), 0) << testing::PrintToString(v);
       });
     }
@@ -242,11 +242,11 @@ TYPED_TEST(GeometryCoderTest, theSteepestGradientThatCanBeTold) {
   constexpr int D = TypeParam::value;
   for (const auto& field : wholeFields<D>()) {
     SCOPED_TRACE(field.name);
-    Telling<D> telling(box<D>(), field.value);
-    telling.steepen(4 * 31 + 3);
-    telling.octaves(Members::AxisEnds, 0);
-    telling.halving(Members::AxisEnds, alike<D>(650), 30, false);
-    telling.expectTruthInside(Members::AxisEnds);
+    Coding<D> coding(box<D>(), field.value);
+    coding.steepen(4 * 31 + 3);
+    coding.exponents(Members::AxisEnds, 0);
+    coding.magnitudePass(Members::AxisEnds, alike<D>(650), 30, false);
+    coding.expectActualInside(Members::AxisEnds);
   }
 }
 
@@ -258,17 +258,17 @@ TYPED_TEST(GeometryCoderTest, randomAnswersAreAlwaysSomeScalars) {
     const auto signs = DenseSigns<D>(Lattice<D>(box<D>(), 1), signFields<D>(box<D>())[seed % 6].positive).bricks();
     Side<D> mine(signs), theirs(signs);
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-      auto octaves = [&](auto& ask, Side<D>& side) {
-        side.octaves.tell(ask, signs, side.scalars, members, depth, side.active);
+      auto exponents = [&](auto& exchange, Side<D>& side) {
+        side.exponents.code(exchange, signs, side.scalars, members, depth, side.active);
       };
-      auto halving = [&](auto& ask, Side<D>& side) {
-        side.halvings.tell(ask, signs, side.scalars, {members, alike<D>(static_cast<uint32_t>(seed) * 100), 30, seed % 2 == 0}, side.active);
+      auto magnitudePass = [&](auto& exchange, Side<D>& side) {
+        side.magnitudes.code(exchange, signs, side.scalars, {members, alike<D>(static_cast<uint32_t>(seed) * 100), 30, seed % 2 == 0}, side.active);
       };
-      const auto first = thrown<D>(seed, rate, [&](auto& ask) { octaves(ask, mine); });
-      ASSERT_TRUE(heard<D>(first, [&](auto& ask) { octaves(ask, theirs); }));
+      const auto first = thrown<D>(seed, rate, [&](auto& exchange) { exponents(exchange, mine); });
+      ASSERT_TRUE(decoded<D>(first, [&](auto& exchange) { exponents(exchange, theirs); }));
       ASSERT_TRUE(equal(mine, theirs)) << "seed " << seed;
-      const auto second = thrown<D>(seed, rate, [&](auto& ask) { halving(ask, mine); });
-      ASSERT_TRUE(heard<D>(second, [&](auto& ask) { halving(ask, theirs); }));
+      const auto second = thrown<D>(seed, rate, [&](auto& exchange) { magnitudePass(exchange, mine); });
+      ASSERT_TRUE(decoded<D>(second, [&](auto& exchange) { magnitudePass(exchange, theirs); }));
       ASSERT_TRUE(equal(mine, theirs)) << "seed " << seed;
     }
   }

@@ -39,7 +39,7 @@ TEST(Lattice, finerKeepsEachPlane) {
       const int32_t parent = fine.parent(0, plane);
       ASSERT_GE(parent, 0);
       ASSERT_LE(parent, coarse.last[0]);
-      if (fine.fresh(0, plane)) {
+      if (fine.isNew(0, plane)) {
         EXPECT_LT(coarse.sample(0, parent), fine.sample(0, plane));
         ASSERT_LT(parent, coarse.last[0]) << "a fresh plane has one after it";
         EXPECT_GT(coarse.sample(0, parent + 1), fine.sample(0, plane));

@@ -9,38 +9,38 @@ namespace isostar {
 namespace {
 
 template <class Coder>
-void mix(Coder& coder, bool truth, const std::array<Chance*, 3>& contexts, Mixer<3>::Weights& weights) {
-  EXPECT_EQ((Mixer<3>::bit<255, 12>(coder, truth, contexts, weights)), truth);
+void mix(Coder& coder, bool actual, const std::array<BitModel*, 3>& contexts, Mixer<3>::Weights& weights) {
+  EXPECT_EQ((Mixer<3>::bit<255, 12>(coder, actual, contexts, weights)), actual);
 }
 
 /// Keeps the last chance that it was asked with.
-struct Listener {
-  uint32_t chance = 0;
-  bool bit(bool truth, uint32_t c) {
-    chance = c;
-    return truth;
+struct DecodingSide {
+  uint32_t probability = 0;
+  bool bit(bool actual, uint32_t c) {
+    probability = c;
+    return actual;
   }
 };
 
 TEST(Logistic, squashRisesWithinBounds) {
   uint32_t before = 0;
   for (int x = -3000; x <= 3000; ++x) {
-    const uint32_t chance = Logistic::squash(x);
-    EXPECT_GE(chance, before);
-    EXPECT_GE(chance, kLeastChance);
-    EXPECT_LE(chance, kChanceOne - kLeastChance);
-    before = chance;
+    const uint32_t probability = Logistic::squash(x);
+    EXPECT_GE(probability, before);
+    EXPECT_GE(probability, kLeastProbability);
+    EXPECT_LE(probability, kProbabilityOne - kLeastProbability);
+    before = probability;
   }
-  EXPECT_EQ(Logistic::squash(0), kChanceOne / 2);
+  EXPECT_EQ(Logistic::squash(0), kProbabilityOne / 2);
 }
 
 TEST(Logistic, stretchIsItsInverse) {
-  for (uint32_t chance = 0; chance < kChanceOne; chance += 7) {
-    const int logOdds = Logistic::stretch(chance);
+  for (uint32_t probability = 0; probability < kProbabilityOne; probability += 7) {
+    const int logOdds = Logistic::stretch(probability);
     EXPECT_LE(std::abs(logOdds), Logistic::kBound);
     const uint32_t low = Logistic::squash(logOdds - 1), high = Logistic::squash(logOdds + 1);
-    EXPECT_LE(low, std::max(chance, kLeastChance) + 16) << chance;
-    EXPECT_GE(high + 16, std::min(chance, kChanceOne - kLeastChance)) << chance;
+    EXPECT_LE(low, std::max(probability, kLeastProbability) + 16) << probability;
+    EXPECT_GE(high + 16, std::min(probability, kProbabilityOne - kLeastProbability)) << probability;
   }
 }
 
@@ -51,36 +51,36 @@ TEST(Logistic, isNearTheTrueFunction) {
   }
 }
 
-TEST(Chance, startsUndecided) {
-  EXPECT_EQ(Chance().value(), kChanceOne / 2);
+TEST(BitModel, startsUndecided) {
+  EXPECT_EQ(BitModel().value(), kProbabilityOne / 2);
 }
 
-TEST(Chance, staysWithinBounds) {
-  Chance up, down;
+TEST(BitModel, staysWithinBounds) {
+  BitModel up, down;
   for (int i = 0; i < 100000; ++i) {
     up.learn<1023>(true);
     down.learn<1023>(false);
   }
-  EXPECT_LE(up.value(), kChanceOne - kLeastChance);
-  EXPECT_GT(up.value(), kChanceOne - 200);
-  EXPECT_GE(down.value(), kLeastChance);
+  EXPECT_LE(up.value(), kProbabilityOne - kLeastProbability);
+  EXPECT_GT(up.value(), kProbabilityOne - 200);
+  EXPECT_GE(down.value(), kLeastProbability);
   EXPECT_LT(down.value(), 200u);
 }
 
 template <int Limit>
 void expectConvergence(double rate) {
   std::mt19937_64 random(5);
-  Chance chance;
+  BitModel probability;
   double sum = 0;
   constexpr int kDecisions = 20000, kSettled = 4000;
   for (int i = 0; i < kDecisions; ++i) {
-    chance.learn<Limit>(static_cast<double>(random() >> 11) < rate * 0x1p53);
-    if (i >= kSettled) sum += chance.value();
+    probability.learn<Limit>(static_cast<double>(random() >> 11) < rate * 0x1p53);
+    if (i >= kSettled) sum += probability.value();
   }
-  EXPECT_NEAR(sum / (kDecisions - kSettled) / kChanceOne, rate, 0.01) << Limit;
+  EXPECT_NEAR(sum / (kDecisions - kSettled) / kProbabilityOne, rate, 0.01) << Limit;
 }
 
-TEST(Chance, convergesToTheRate) {
+TEST(BitModel, convergesToTheRate) {
   for (double rate : {0.01, 0.1, 0.5, 0.8, 0.99}) {
     expectConvergence<127>(rate);
     expectConvergence<255>(rate);
@@ -88,68 +88,68 @@ TEST(Chance, convergesToTheRate) {
   }
 }
 
-TEST(Chance, learnsFastAtFirst) {
-  Chance chance;
-  for (int i = 0; i < 4; ++i) chance.learn<255>(true);
-  EXPECT_GT(chance.value(), kChanceOne * 4 / 5);
+TEST(BitModel, learnsFastAtFirst) {
+  BitModel probability;
+  for (int i = 0; i < 4; ++i) probability.learn<255>(true);
+  EXPECT_GT(probability.value(), kProbabilityOne * 4 / 5);
 }
 
 TEST(Mixer, saysNothingBeforeItHasSeenAnything) {
-  Chance a, b, c;
-  auto weights = Mixer<3>::fresh();
-  Listener listener;
-  mix(listener, true, {&a, &b, &c}, weights);
-  EXPECT_NEAR(listener.chance, kChanceOne / 2, kChanceOne / 500.0);
+  BitModel a, b, c;
+  auto weights = Mixer<3>::initialWeights();
+  DecodingSide decodingSide;
+  mix(decodingSide, true, {&a, &b, &c}, weights);
+  EXPECT_NEAR(decodingSide.probability, kProbabilityOne / 2, kProbabilityOne / 500.0);
 }
 
 /// Bits a decision when one of three contexts tells all and the others nothing.
 TEST(Mixer, findsTheContextThatKnows) {
   std::mt19937_64 random(9);
-  std::array<Chance, 2> knows;
-  Chance blind, deaf;
-  auto weights = Mixer<3>::fresh();
+  std::array<BitModel, 2> knows;
+  BitModel blind, deaf;
+  auto weights = Mixer<3>::initialWeights();
   Meter all, late;
   constexpr int kDecisions = 8000;
   for (int i = 0; i < kDecisions; ++i) {
-    const bool truth = (random() & 1) != 0, seldom = random() % 100 == 0;
-    auto& context = knows[truth != seldom ? 1 : 0];
-    mix(i < kDecisions / 2 ? all : late, truth, {&blind, &context, &deaf}, weights);
+    const bool actual = (random() & 1) != 0, seldom = random() % 100 == 0;
+    auto& context = knows[actual != seldom ? 1 : 0];
+    mix(i < kDecisions / 2 ? all : late, actual, {&blind, &context, &deaf}, weights);
   }
   EXPECT_LT(late.bits() / (kDecisions / 2), 0.12);  // entropy of one in hundred: 0.08
 }
 
 TEST(Mixer, agreesWithTheBestOfEqualContexts) {
-  std::array<Chance, 3> same;
-  auto weights = Mixer<3>::fresh();
+  std::array<BitModel, 3> same;
+  auto weights = Mixer<3>::initialWeights();
   Meter meter;
   for (int i = 0; i < 4000; ++i) mix(meter, true, {&same[0], &same[1], &same[2]}, weights);
   EXPECT_LT(meter.bits(), 20);
 }
 
 TEST(Mixer, believesAnEstimateAtOnceAndMoreWhenItIsRight) {
-  Chance a, b, c;
-  auto weights = Mixer<3>::freshWithEstimate();
-  Listener listener;
-  const std::array<Chance*, 3> contexts{&a, &b, &c};
-  Mixer<3>::bit<255, 12>(listener, true, contexts, weights, 512);
-  EXPECT_NEAR(listener.chance, kChanceOne / (1 + std::exp(-1.0)), kChanceOne / 200.0) << "half of the estimate's log-odds";
+  BitModel a, b, c;
+  auto weights = Mixer<3>::initialWeightsWithEstimate();
+  DecodingSide decodingSide;
+  const std::array<BitModel*, 3> contexts{&a, &b, &c};
+  Mixer<3>::bit<255, 12>(decodingSide, true, contexts, weights, 512);
+  EXPECT_NEAR(decodingSide.probability, kProbabilityOne / (1 + std::exp(-1.0)), kProbabilityOne / 200.0) << "half of the estimate's log-odds";
   std::mt19937_64 random(3);
   Meter meter;
   constexpr int kDecisions = 4000;
   for (int i = 0; i < kDecisions; ++i) {
-    const bool truth = (random() & 1) != 0;
-    Mixer<3>::bit<255, 12>(meter, truth, contexts, weights, truth ? 700 : -700);
+    const bool actual = (random() & 1) != 0;
+    Mixer<3>::bit<255, 12>(meter, actual, contexts, weights, actual ? 700 : -700);
   }
   EXPECT_LT(meter.bits() / kDecisions, 0.02);
 }
 
 TEST(Mixer, boundsAnEstimate) {
-  Chance a, b, c;
-  auto weights = Mixer<3>::freshWithEstimate();
-  Listener listener;
-  Mixer<3>::bit<255, 12>(listener, true, {&a, &b, &c}, weights, 1 << 30);
-  EXPECT_LE(listener.chance, kChanceOne - kLeastChance);
-  EXPECT_GT(listener.chance, kChanceOne * 9 / 10);
+  BitModel a, b, c;
+  auto weights = Mixer<3>::initialWeightsWithEstimate();
+  DecodingSide decodingSide;
+  Mixer<3>::bit<255, 12>(decodingSide, true, {&a, &b, &c}, weights, 1 << 30);
+  EXPECT_LE(decodingSide.probability, kProbabilityOne - kLeastProbability);
+  EXPECT_GT(decodingSide.probability, kProbabilityOne * 9 / 10);
 }
 
 }  // namespace

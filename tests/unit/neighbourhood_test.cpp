@@ -41,17 +41,17 @@ std::set<Coordinates<D>> offsets(const std::array<Step, Neighbourhood<D>::kMost>
 
 /// How many axes a neighbour is fresh on: 0 for a vertex of the coarser octave.
 template <int D>
-int classOf(unsigned fresh, const Coordinates<D>& d) {
+int classOf(unsigned newAxes, const Coordinates<D>& d) {
   int axes = 0;
-  for (int a = 0; a < D; ++a) axes += ((fresh >> a & 1) ^ static_cast<unsigned>(d[a] & 1)) != 0;
+  for (int a = 0; a < D; ++a) axes += ((newAxes >> a & 1) ^ static_cast<unsigned>(d[a] & 1)) != 0;
   return axes;
 }
 
 TYPED_TEST(NeighbourhoodTest, diamondsHaveTheSizesOfTheTheory) {
   constexpr int D = TypeParam::value;
-  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
-    const int axes = __builtin_popcount(fresh);
-    const Neighbourhood<D> n(fresh);
+  for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
+    const int axes = __builtin_popcount(newAxes);
+    const Neighbourhood<D> n(newAxes);
     EXPECT_EQ(n.cornerCount, 1 << axes);
     EXPECT_EQ(n.acrossCount, static_cast<int>(power(3, D - axes)) - 1);
   }
@@ -68,20 +68,20 @@ TEST(Neighbourhood, diamondsInSpace) {
 
 TYPED_TEST(NeighbourhoodTest, diamondsHoldVerticesOfEarlierClassesOnly) {
   constexpr int D = TypeParam::value;
-  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
-    const Neighbourhood<D> n(fresh);
-    const int mine = __builtin_popcount(fresh);
-    for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount)) EXPECT_EQ(classOf<D>(fresh, d), 0);
-    for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount)) EXPECT_GT(classOf<D>(fresh, d), mine);
+  for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
+    const Neighbourhood<D> n(newAxes);
+    const int mine = __builtin_popcount(newAxes);
+    for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount)) EXPECT_EQ(classOf<D>(newAxes, d), 0);
+    for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount)) EXPECT_GT(classOf<D>(newAxes, d), mine);
   }
 }
 
 TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndCameBefore) {
   constexpr int D = TypeParam::value;
-  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
-    const Neighbourhood<D> n(fresh);
+  for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
+    const Neighbourhood<D> n(newAxes);
     for (const auto& d : offsets<D>(n.siblings, 0, n.siblingCount)) {
-      EXPECT_EQ(classOf<D>(fresh, d), __builtin_popcount(fresh));
+      EXPECT_EQ(classOf<D>(newAxes, d), __builtin_popcount(newAxes));
       EXPECT_TRUE(
           std::lexicographical_compare(d.rbegin(), d.rend(), Coordinates<D>{}.rbegin(), Coordinates<D>{}.rend()));
     }
@@ -90,8 +90,8 @@ TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndCameBefore) {
 
 TYPED_TEST(NeighbourhoodTest, listsDoNotOverlapAndStayInTheWindow) {
   constexpr int D = TypeParam::value;
-  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
-    const Neighbourhood<D> n(fresh);
+  for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
+    const Neighbourhood<D> n(newAxes);
     auto all = offsets<D>(n.diamond, 0, n.diamondCount());
     const std::size_t diamond = all.size();
     all.merge(offsets<D>(n.siblings, 0, n.siblingCount));
@@ -109,8 +109,8 @@ TYPED_TEST(NeighbourhoodTest, slicesAndMasksSeeNothingAndAll) {
   RowPacks<D> none, all;
   for (auto& word : all.words) word = (uint64_t{1} << 5 * Window<D>::kSide) - 1;
   constexpr int kAt = Window<D>::kHalo;
-  for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
-    const N n(fresh);
+  for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
+    const N n(newAxes);
     auto weight = [&](const RowPacks<D>& packs) {
       return N::unpacked(packs.diamond(n.slices, kAt)).weight + static_cast<int>(packs.count(n.farMask, kAt)) * N::kFarOne +
              static_cast<int>(packs.count(n.outerMask, kAt)) * N::kOuterOne;

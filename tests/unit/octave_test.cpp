@@ -68,13 +68,13 @@ void expectActive(const Coordinates<D>& box) {
       signs.set(v, field.positive(inside));
     });
     Signs<D> shared(signs.lattice());
-    for (std::size_t place = 0; place < signs.table().total(); ++place) shared.put(place, signs.brickAt(place));
+    for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) shared.put(brickIndex, signs.brickAt(brickIndex));
     const auto active = activeBricks(shared);
     ASSERT_EQ(active.size(), shared.table().total());
-    for (std::size_t place = 0; place < active.size(); ++place) {
-      EXPECT_EQ(active[place] != 0, activeByForce<D>(shared, shared.table().brick(place)))
-          << field.name << ", brick " << place;
-      EXPECT_LE(active[place], 1);
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+      EXPECT_EQ(active[brickIndex] != 0, activeByForce<D>(shared, shared.table().brick(brickIndex)))
+          << field.name << ", brick " << brickIndex;
+      EXPECT_LE(active[brickIndex], 1);
     }
   }
 }
@@ -100,8 +100,8 @@ TEST(Octave, eachPairOfUniformBricks) {
       signs.setUniform(a, Signs<2>::kPositive);
       signs.setUniform(b, Signs<2>::kPositive);
       const auto active = activeBricks(signs);
-      for (std::size_t place = 0; place < 36; ++place)
-        ASSERT_EQ(active[place] != 0, activeByForce<2>(signs, signs.table().brick(place))) << a << ' ' << b;
+      for (std::size_t brickIndex = 0; brickIndex < 36; ++brickIndex)
+        ASSERT_EQ(active[brickIndex] != 0, activeByForce<2>(signs, signs.table().brick(brickIndex))) << a << ' ' << b;
     }
   }
 }

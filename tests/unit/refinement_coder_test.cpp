@@ -28,9 +28,9 @@ struct Side {
   std::unique_ptr<RefinementCoder<D>> coder = std::make_unique<RefinementCoder<D>>();
 
   template <class Exchange>
-  void refine(Exchange& ask) {
+  void refine(Exchange& exchange) {
     signs = refined(signs);
-    coder->tell(ask, signs);
+    coder->code(exchange, signs);
   }
 };
 
@@ -44,11 +44,11 @@ TYPED_TEST(RefinementCoderTest, eachOctaveIsTheSources) {
       Side<D> theirs{mine.signs};
       while (step > 1) {
         step /= 2;
-        const DenseSigns<D> truth(Lattice<D>(box, step), field.positive);
-        const auto bytes = told(truth.bricks(), NoScalars(), [&](auto& ask) { mine.refine(ask); });
-        ASSERT_TRUE(heard<D>(bytes, [&](auto& ask) { theirs.refine(ask); }));
-        ASSERT_EQ(DenseSigns<D>(mine.signs), truth) << "step " << step;
-        ASSERT_EQ(DenseSigns<D>(theirs.signs), truth) << "step " << step;
+        const DenseSigns<D> actual(Lattice<D>(box, step), field.positive);
+        const auto bytes = coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
+        ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
+        ASSERT_EQ(DenseSigns<D>(mine.signs), actual) << "step " << step;
+        ASSERT_EQ(DenseSigns<D>(theirs.signs), actual) << "step " << step;
       }
     }
   }
@@ -61,9 +61,9 @@ TYPED_TEST(RefinementCoderTest, randomAnswersAreAlwaysSomeSurface) {
       const double rate = std::array{0.5, 0.02, 0.98, 1.0}[seed % 4];
       Side<D> mine{DenseSigns<D>(Lattice<D>(box, 4), signFields<D>(box)[seed].positive).bricks()};
       Side<D> theirs{mine.signs};
-      for (int octave = 0; octave < 2; ++octave) {
-        const auto bytes = thrown<D>(seed, rate, [&](auto& ask) { mine.refine(ask); });
-        ASSERT_TRUE(heard<D>(bytes, [&](auto& ask) { theirs.refine(ask); }));
+      for (int level = 0; level < 2; ++level) {
+        const auto bytes = thrown<D>(seed, rate, [&](auto& exchange) { mine.refine(exchange); });
+        ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
         ASSERT_EQ(DenseSigns<D>(theirs.signs), DenseSigns<D>(mine.signs)) << "seed " << seed;
       }
     }
@@ -75,13 +75,13 @@ TYPED_TEST(RefinementCoderTest, aSettledSignNeverMoves) {
   for (const auto& box : boxes<D>()) {
     Side<D> side{DenseSigns<D>(Lattice<D>(box, 2), signFields<D>(box)[0].positive).bricks()};
     const DenseSigns<D> before(side.signs);
-    (void)thrown<D>(1, 0.5, [&](auto& ask) { side.refine(ask); });
+    (void)thrown<D>(1, 0.5, [&](auto& exchange) { side.refine(exchange); });
     forVertices(side.signs.lattice(), [&](const Coordinates<D>& v) {
       Coordinates<D> parent;
       bool settled = true;
       for (int a = 0; a < D; ++a) {
         parent[a] = side.signs.lattice().parent(a, v[a]);
-        settled = settled && !side.signs.lattice().fresh(a, v[a]);
+        settled = settled && !side.signs.lattice().isNew(a, v[a]);
       }
       EXPECT_TRUE(!settled || side.signs.at(v) == before.at(parent)) << testing::PrintToString(v);
     });
@@ -92,7 +92,7 @@ TEST(RefinementCoder, aUniformOctaveCostsNearlyNothing) {
   const Coordinates<3> box{255, 255, 255};
   const Signs<3> uniform{Lattice<3>(box, 1)};
   Side<3> side{Signs<3>(Lattice<3>(box, 2))};
-  EXPECT_LE(told(uniform, NoScalars(), [&](auto& ask) { side.refine(ask); }).size(), 30u);
+  EXPECT_LE(coded(uniform, NoScalars(), [&](auto& exchange) { side.refine(exchange); }).size(), 30u);
 }
 
 TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
@@ -103,12 +103,12 @@ TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
     return v == Coordinates<3>{33, 33, 33} || v == Coordinates<3>{51, 19, 40} || v == Coordinates<3>{62, 63, 63} ||
            v == Coordinates<3>{9, 56, 32};
   };
-  const DenseSigns<3> truth(Lattice<3>(box, 1), field);
+  const DenseSigns<3> actual(Lattice<3>(box, 1), field);
   Side<3> mine{DenseSigns<3>(Lattice<3>(box, 2), field).bricks()};
   Side<3> theirs{mine.signs};
-  const auto bytes = told(truth.bricks(), NoScalars(), [&](auto& ask) { mine.refine(ask); });
-  ASSERT_TRUE(heard<3>(bytes, [&](auto& ask) { theirs.refine(ask); }));
-  EXPECT_EQ(DenseSigns<3>(theirs.signs), truth);
+  const auto bytes = coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
+  ASSERT_TRUE(decoded<3>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
+  EXPECT_EQ(DenseSigns<3>(theirs.signs), actual);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ void expectEqual(const Header& a, const Header& b) {
   EXPECT_EQ(a.lossless, b.lossless);
   EXPECT_EQ(a.maxError, b.maxError);
   EXPECT_EQ(a.vertices, b.vertices);
-  EXPECT_EQ(a.quantum, b.quantum);
+  EXPECT_EQ(a.quantizationStep, b.quantizationStep);
   EXPECT_EQ(a.positiveOffset, b.positiveOffset);
   EXPECT_EQ(a.negativeOffset, b.negativeOffset);
   EXPECT_EQ(a.whole, b.whole);
@@ -43,7 +43,7 @@ Header full() {
   h.polygonizer = Polygonizer::Tetrahedra;
   h.lossless = true;
   h.vertices = uint64_t{1} << 40;
-  h.quantum = 0.125;
+  h.quantizationStep = 0.125;
   h.bytes = uint64_t{1} << 50;
   return h;
 }
@@ -90,9 +90,9 @@ TEST(Header, ofASmallImageIsSmall) {
 
 TEST(Header, asFewOctavesAsTheBaseAllows) {
   Header h;
-  for (const auto& [side, octaves] : {std::pair{1, 0}, {5, 0}, {6, 1}, {9, 1}, {10, 2}, {(1 << 28) - 1, 26}}) {
+  for (const auto& [side, finestLevel] : {std::pair{1, 0}, {5, 0}, {6, 1}, {9, 1}, {10, 2}, {(1 << 28) - 1, 26}}) {
     h.size = {2, side, 3, 1};
-    EXPECT_EQ(h.octaves(), octaves) << side;
+    EXPECT_EQ(h.finestLevel(), finestLevel) << side;
     EXPECT_LE(h.base<3>().last[1], Header::kMostBaseCells);
   }
 }
@@ -106,7 +106,7 @@ TEST(Header, farIsovaluesHaveOffsetsAndShifts) {
       EXPECT_EQ(h.positiveOffset, 1);
       EXPECT_EQ(h.negativeOffset, 0);
       EXPECT_EQ(h.shift(isovalue), 0);
-      EXPECT_EQ(h.shift(0), isovalue > 0 ? -Header::kFarQuanta : Header::kFarQuanta);
+      EXPECT_EQ(h.shift(0), isovalue > 0 ? -Header::kFarSteps : Header::kFarSteps);
       EXPECT_EQ(h.shift(-isovalue), h.shift(0));
     }
   }
@@ -166,7 +166,7 @@ TEST(LayerHead, comesBack) {
   Header header;
   header.size = {129, 1, 1, 1};
   for (uint64_t length : {uint64_t{0}, uint64_t{127}, uint64_t{128}, (uint64_t{1} << 63) - 1}) {
-    const LayerHead head{LayerKind::Halving, 5, 0.01, length, length < 1024 ? 0xBEEF : 0xDEADBEEF};
+    const LayerHead head{LayerKind::Magnitudes, 5, 0.01, length, length < 1024 ? 0xBEEF : 0xDEADBEEF};
     const Bytes bytes = written(head);
     LayerHead back;
     std::size_t used = 0;
@@ -216,7 +216,7 @@ TEST(Checksum, ofALayerCoversItsHead) {
     const auto bytes = std::span(layer).first(length);
     const uint32_t sum = checksum(head, bytes);
     EXPECT_EQ(sum < 0x10000, length == 10);
-    for (const LayerHead& other : {LayerHead{LayerKind::Octaves, 3, 0.25}, LayerHead{LayerKind::Refinement, 4, 0.25},
+    for (const LayerHead& other : {LayerHead{LayerKind::Exponents, 3, 0.25}, LayerHead{LayerKind::Refinement, 4, 0.25},
                                    LayerHead{LayerKind::Refinement, 3, 0.3}}) {
       EXPECT_NE(checksum(other, bytes), sum);
     }

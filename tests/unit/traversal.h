@@ -17,25 +17,25 @@ struct NoScalars {
 };
 
 /// What `tell` says of the truth, in bytes.
-template <int D, class Field, class Tell>
-std::vector<std::byte> told(const Signs<D>& truth, const Field& field, Tell tell) {
+template <int D, class Field, class Code>
+std::vector<std::byte> coded(const Signs<D>& actual, const Field& field, Code code) {
   std::vector<std::byte> bytes;
   RangeEncoder coder(bytes);
-  TruthExchange<D, RangeEncoder, Field> ask(coder, truth, field);
-  tell(ask);
+  EncoderExchange<D, RangeEncoder, Field> exchange(coder, actual, field);
+  code(exchange);
   coder.finish();
   return bytes;
 }
 
 /// Hears what was told, from a copy of the bytes in its very size. False where more was read than written.
-template <int D, class Tell>
-[[nodiscard]] bool heard(const std::vector<std::byte>& bytes, Tell tell) {
+template <int D, class Code>
+[[nodiscard]] bool decoded(const std::vector<std::byte>& bytes, Code code) {
   const std::vector<std::byte> copy(bytes);
   RangeDecoder coder(copy);
   constexpr std::size_t kTrimmed = 8;
-  BlindExchange<D> ask(coder, kTrimmed, SIZE_MAX);
-  tell(ask);
-  return !ask.spent();
+  DecoderExchange<D> exchange(coder, kTrimmed, SIZE_MAX);
+  code(exchange);
+  return !exchange.exhausted();
 }
 
 /// An encoder that answers at random: whatever a valid stream may say. `rate` of 1: as the models expect; else so often
@@ -43,9 +43,9 @@ template <int D, class Tell>
 class Dice {
  public:
   Dice(std::vector<std::byte>& out, uint64_t seed, double rate) : encoder_(out), random_(seed), rate_(rate) {}
-  bool bit(bool, uint32_t chance) {
-    const auto limit = static_cast<uint64_t>(rate_ == 1 ? chance : rate_ * kChanceOne);
-    return encoder_.bit(random_() % kChanceOne < limit, chance);
+  bool bit(bool, uint32_t probability) {
+    const auto limit = static_cast<uint64_t>(rate_ == 1 ? probability : rate_ * kProbabilityOne);
+    return encoder_.bit(random_() % kProbabilityOne < limit, probability);
   }
   void finish() { encoder_.finish(); }
 
@@ -56,14 +56,14 @@ class Dice {
 };
 
 /// Bytes of a traversal whose answers are thrown; no truth is behind them.
-template <int D, class Tell>
-std::vector<std::byte> thrown(uint64_t seed, double rate, Tell tell) {
+template <int D, class Code>
+std::vector<std::byte> thrown(uint64_t seed, double rate, Code code) {
   std::vector<std::byte> bytes;
   Dice dice(bytes, seed, rate);
   const Signs<D> nothing;
   const NoScalars none;
-  struct Blind : TruthExchange<D, Dice, NoScalars> {
-    using TruthExchange<D, Dice, NoScalars>::TruthExchange;
+  struct Blind : EncoderExchange<D, Dice, NoScalars> {
+    using EncoderExchange<D, Dice, NoScalars>::EncoderExchange;
     [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] uint32_t keptRow(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
@@ -72,8 +72,8 @@ std::vector<std::byte> thrown(uint64_t seed, double rate, Tell tell) {
       return std::nullopt;
     }
   };
-  Blind ask(dice, nothing, none);
-  tell(ask);
+  Blind exchange(dice, nothing, none);
+  code(exchange);
   dice.finish();
   return bytes;
 }

@@ -47,8 +47,8 @@ template <int D>
 std::set<Coordinates<D>> found(const Signs<D>& signs, Members members) {
   std::set<Coordinates<D>> result;
   Tube<D> tube;
-  for (std::size_t place = 0; place < signs.table().total(); ++place) {
-    tube.enter(signs, place, members);
+  for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) {
+    tube.enter(signs, brickIndex, members);
     bool any = false;
     tube.forEach([&](int row, std::size_t r, int x) {
       any = true;

@@ -37,7 +37,7 @@ TEST(VertexCloud, findsTheNearestVertex) {
     for (const auto& field : signFields<3>(box)) {
       const auto signs = DenseSigns<3>(Lattice<3>(box, step), field.positive).bricks();
       const auto edges = middles(signs, unit);
-      const VertexCloud<3> cloud(signs, unit, {Kernel::Middle});
+      const VertexCloud<3> cloud(signs, unit, {SmoothingFilter::Middle});
       ASSERT_EQ(cloud.empty(), edges.empty()) << field.name;
       for (int i = 0; i < 50 && !edges.empty(); ++i) {
         std::array<double, 3> p;

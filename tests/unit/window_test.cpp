@@ -37,9 +37,9 @@ void expectWindows(const Coordinates<D>& box) {
     const DenseSigns<D> dense(Lattice<D>(box, 1), field.positive);
     const auto signs = dense.bricks();
     Window<D> window;
-    for (std::size_t place = 0; place < signs.table().total(); ++place) {
-      window.load(signs, signs.table().brick(place));
-      expectWindow<D>(dense, window, signs.table().brick(place));
+    for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) {
+      window.load(signs, signs.table().brick(brickIndex));
+      expectWindow<D>(dense, window, signs.table().brick(brickIndex));
     }
   }
 }

@@ -14,16 +14,16 @@ class DisplacementCoder {
  public:
   explicit DisplacementCoder(const DualSurface& surface)
       : surface_(surface), known_(surface.vertices()), values_(surface.vertices()) {
-    for (auto& w : weights_) w = Mixer<3>::fresh();
+    for (auto& w : weights_) w = Mixer<3>::initialWeights();
   }
 
   /// truth(vertex) in the surface's unit; what is farther than two steps of the first plane is told as that far.
   /// Goes no further when spent() says that the bytes are used up.
-  template <class Coder, class Truth, class Spent>
-  void tell(Coder& coder, int plane, Truth truth, Spent spent) {
+  template <class Coder, class Actual, class Spent>
+  void code(Coder& coder, int plane, Actual actual, Spent exhausted) {
     const double step = stepOf(plane);
     for (auto& k : known_) k.steps *= 2;
-    for (size_t v = 0; v < known_.size() && !spent(); ++v) {
+    for (size_t v = 0; v < known_.size() && !exhausted(); ++v) {
       Known& known = known_[v];
       double expected = 0;
       size_t count = 0, large = 0;
@@ -34,13 +34,13 @@ class DisplacementCoder {
       });
       expected /= static_cast<double>(count) * step;
       large = 4 * large / count;
-      const double real = truth(v);
+      const double real = actual(v);
       const int steps = std::min(static_cast<int>(std::abs(real) / step), (2 << plane) - 1);
       const auto bit = [&](Kind kind, bool value, double where) {
         const auto near =
             static_cast<size_t>(std::clamp(static_cast<int>(std::floor(4 * where)) + kNear / 2, 0, kNear - 1));
         const auto p = static_cast<size_t>(plane);
-        const std::array<Chance*, 3> contexts{&byExpected_[kind][near][std::min<size_t>(p, 7)],
+        const std::array<BitModel*, 3> contexts{&byExpected_[kind][near][std::min<size_t>(p, 7)],
                                               &byNeighbours_[kind][large][std::min<size_t>(p, 7)],
                                               &byBoth_[kind][near][large]};
         return Mixer<3>::bit<127, 12>(coder, value, contexts, weights_[kind]);
@@ -74,9 +74,9 @@ class DisplacementCoder {
   const DualSurface& surface_;
   std::vector<Known> known_;
   std::vector<double> values_;
-  std::array<std::array<std::array<Chance, 8>, kNear>, kKinds> byExpected_;
-  std::array<std::array<std::array<Chance, 8>, 5>, kKinds> byNeighbours_;
-  std::array<std::array<std::array<Chance, 5>, kNear>, kKinds> byBoth_;
+  std::array<std::array<std::array<BitModel, 8>, kNear>, kKinds> byExpected_;
+  std::array<std::array<std::array<BitModel, 8>, 5>, kKinds> byNeighbours_;
+  std::array<std::array<std::array<BitModel, 5>, kNear>, kKinds> byBoth_;
   std::array<Mixer<3>::Weights, kKinds> weights_;
 };
 

@@ -25,9 +25,9 @@ class Cells {
     return p;
   }
   /// The number of the cell's vertex; `fresh` is what the next new one has.
-  uint32_t vertex(const Coordinates<3>& cell, size_t fresh) {
+  uint32_t vertex(const Coordinates<3>& cell, size_t newVertex) {
     uint32_t& vertex = vertexOf_[place(cell)];
-    if (vertex == UINT32_MAX) vertex = static_cast<uint32_t>(fresh);
+    if (vertex == UINT32_MAX) vertex = static_cast<uint32_t>(newVertex);
     return vertex;
   }
 

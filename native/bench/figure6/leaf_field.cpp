@@ -7,7 +7,7 @@ void LeafField::fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear)
     const auto sample = hierarchy_.position(v);
     samples_[place(sample)] = static_cast<float>(linear.at(sample));
   }
-  if (s.level == hierarchy_.levels()) return;
+  if (s.depth == hierarchy_.maxDepth()) return;
   for (const auto& half : s.halves()) {
     if (!hierarchy_.flat(half.vertices)) fill(half, linear);
   }

@@ -24,23 +24,23 @@ DualSurface surfaceOf(const OctreeSigns& signs, int level, const std::array<doub
 }  // namespace
 
 std::vector<std::byte> encodeOctree(const Volume& volume, double isovalue, const measure::TriangleTree& surface) {
-  const int levels = octavesOf(volume.size);
-  const auto truth = signsOf(volume, isovalue);
+  const int levels = finestLevelOf(volume.size);
+  const auto actual = signsOf(volume, isovalue);
   std::vector<std::byte> bytes;
   ByteWriter header(bytes);
   for (int32_t side : volume.size) header.varint(static_cast<uint64_t>(side));
-  const auto addLayer = [&](auto tell) {
+  const auto addLayer = [&](auto code) {
     std::vector<std::byte> layer;
     RangeEncoder coder(layer);
-    tell(coder);
+    code(coder);
     coder.finish();
     ByteWriter(bytes).varint(layer.size());
     bytes.insert(bytes.end(), layer.begin(), layer.end());
   };
   auto signs = std::make_unique<OctreeSigns>(lastSample(volume.size), levels);
-  const OctreeTruth mixed(truth, levels);
+  const OctreeEncoderSide mixed(actual, levels);
   for (int level = 0; level <= levels; ++level)
-    addLayer([&](RangeEncoder& coder) { signs->tell(coder, mixed, level); });
+    addLayer([&](RangeEncoder& coder) { signs->code(coder, mixed, level); });
   std::array<double, 3> unit = volume.placement.spacing;
   for (double& u : unit) u /= native::smallestSpacing(volume.placement);
   const auto dual = surfaceOf(*signs, levels, unit);
@@ -48,7 +48,7 @@ std::vector<std::byte> encodeOctree(const Volume& volume, double isovalue, const
   DisplacementCoder coder(dual);
   for (int plane = 0; plane < kPlanes; ++plane)
     addLayer([&](RangeEncoder& out) {
-      coder.tell(
+      coder.code(
           out, plane, [&](size_t v) { return wanted[v]; }, [] { return false; });
     });
   return bytes;
@@ -63,7 +63,7 @@ std::vector<OctreeLayer> octreeLayers(std::span<const std::byte> bytes) {
     ByteReader length(bytes.subspan(at));
     const uint64_t size = length.varint();
     at += length.position() + size;
-    layers.push_back({at, static_cast<int>(layers.size()) <= octavesOf(grid)});
+    layers.push_back({at, static_cast<int>(layers.size()) <= finestLevelOf(grid)});
   }
   return layers;
 }
@@ -72,7 +72,7 @@ Mesh decodeOctree(std::span<const std::byte> prefix, const std::array<double, 3>
   ByteReader reader(prefix);
   std::array<int32_t, 3> grid{};
   for (int32_t& side : grid) side = static_cast<int32_t>(reader.varint());
-  const int levels = octavesOf(grid);
+  const int levels = finestLevelOf(grid);
   auto signs = std::make_unique<OctreeSigns>(lastSample(grid), levels);
   std::optional<DualSurface> dual;
   std::optional<DisplacementCoder> displaced;
@@ -85,10 +85,10 @@ Mesh decodeOctree(std::span<const std::byte> prefix, const std::array<double, 3>
     if (torn && layer <= levels) break;
     RangeDecoder coder(prefix.subspan(at, torn ? prefix.size() - at : size));
     at = torn ? prefix.size() : at + size;
-    if (layer <= levels) signs->tell(coder, OctreeBlind(), layer);
+    if (layer <= levels) signs->code(coder, OctreeDecoderSide(), layer);
     if (layer == levels) displaced.emplace(dual.emplace(surfaceOf(*signs, levels, unit)));
     if (layer > levels)
-      displaced->tell(
+      displaced->code(
           coder, layer - levels - 1, [](size_t) { return 0.0; }, [&] { return torn && coder.overrun() > 0; });
   }
   if (layer == 0) return {};

@@ -16,26 +16,26 @@ class OctreeSigns {
  public:
   OctreeSigns(const Coordinates<3>& lastSample, int levels)
       : last_(lastSample), levels_(levels), signs_(Lattice<3>(lastSample, 1).vertices(), kUnknown) {
-    for (auto& w : signWeights_) w = Mixer<4>::fresh();
-    for (auto& w : mixedWeights_) w = Mixer<2>::fresh();
+    for (auto& w : signWeights_) w = Mixer<4>::initialWeights();
+    for (auto& w : mixedWeights_) w = Mixer<2>::initialWeights();
   }
 
   [[nodiscard]] Lattice<3> lattice(int level) const { return Lattice<3>(last_, int32_t{1} << (levels_ - level)); }
 
   /// Tells the signs of a level; those of the level before have been told. `truth` is an OctreeTruth or an OctreeBlind.
-  template <class Coder, class Truth>
-  void tell(Coder& coder, const Truth& truth, int level) {
+  template <class Coder, class Actual>
+  void code(Coder& coder, const Actual& actual, int level) {
     const auto grid = lattice(level);
     std::vector<Coordinates<3>> cells;
     if (level == 0) {
-      forEach({0, 0, 0}, grid.last, [&](const auto& v) { tellSign(coder, truth, grid, v, 0); });
+      forEach({0, 0, 0}, grid.last, [&](const auto& v) { codeSign(coder, actual, grid, v, 0); });
       forEach({0, 0, 0}, minusOne(grid.last), [&](const auto& cell) { cells.push_back(cell); });
     } else {
       // Corners on edges first, then on faces, then within: each knows all that it lies between.
-      for (int fresh = 1; fresh <= 3; ++fresh) {
+      for (int newAxisCount = 1; newAxisCount <= 3; ++newAxisCount) {
         for (const auto& parent : active_) {
           forEach(lowest(parent), highest(grid, parent), [&](const auto& v) {
-            if (freshAxes(grid, v) == fresh) tellSign(coder, truth, grid, v, fresh);
+            if (newAxesOf(grid, v) == newAxisCount) codeSign(coder, actual, grid, v, newAxisCount);
           });
         }
       }
@@ -45,7 +45,7 @@ class OctreeSigns {
     }
     active_.clear();
     for (const auto& cell : cells) {
-      if (isMixed(coder, truth, grid, level, cell))
+      if (isMixed(coder, actual, grid, level, cell))
         active_.push_back(cell);
       else
         settle(grid, cell);
@@ -72,8 +72,8 @@ class OctreeSigns {
     for (int a = 0; a < 3; ++a) parent[a] = std::min(2 * parent[a] + 2, grid.last[a]);
     return parent;
   }
-  static int freshAxes(const Lattice<3>& grid, const Coordinates<3>& v) {
-    return grid.fresh(0, v[0]) + grid.fresh(1, v[1]) + grid.fresh(2, v[2]);
+  static int newAxesOf(const Lattice<3>& grid, const Coordinates<3>& v) {
+    return grid.isNew(0, v[0]) + grid.isNew(1, v[1]) + grid.isNew(2, v[2]);
   }
   template <class Visit>
   static void forEach(const Coordinates<3>& first, const Coordinates<3>& last, Visit visit) {
@@ -116,15 +116,15 @@ class OctreeSigns {
 
   /// The corners of the parent's edge, face or cube that the vertex is the middle of, and what lies between them and
   /// it.
-  [[nodiscard]] size_t patternBetween(const Lattice<3>& grid, const Coordinates<3>& v, int fresh) const {
+  [[nodiscard]] size_t patternBetween(const Lattice<3>& grid, const Coordinates<3>& v, int newAxisCount) const {
     size_t pattern = 0;
     for (int z = -1; z <= 1; ++z) {
       for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
           const int steps = std::abs(x) + std::abs(y) + std::abs(z);
           const bool within =
-              (x == 0 || grid.fresh(0, v[0])) && (y == 0 || grid.fresh(1, v[1])) && (z == 0 || grid.fresh(2, v[2]));
-          if (within && (steps == 1 || steps == fresh))
+              (x == 0 || grid.isNew(0, v[0])) && (y == 0 || grid.isNew(1, v[1])) && (z == 0 || grid.isNew(2, v[2]));
+          if (within && (steps == 1 || steps == newAxisCount))
             pattern = pattern << 1 | (beside(grid, v, x, y, z) > 0 ? 1u : 0u);
         }
       }
@@ -140,31 +140,31 @@ class OctreeSigns {
     return static_cast<size_t>(sum);
   }
 
-  template <class Coder, class Truth>
-  void tellSign(Coder& coder, const Truth& truth, const Lattice<3>& grid, const Coordinates<3>& v, int fresh) {
+  template <class Coder, class Actual>
+  void codeSign(Coder& coder, const Actual& actual, const Lattice<3>& grid, const Coordinates<3>& v, int newAxisCount) {
     const auto sample = sampleOf(grid, v);
     uint8_t& sign = signs_[place(sample)];
     if (sign != kUnknown) return;
-    const size_t between = fresh == 0 ? 0 : patternBetween(grid, v, fresh), near = sumOfSix(grid, v, 1),
+    const size_t between = newAxisCount == 0 ? 0 : patternBetween(grid, v, newAxisCount), near = sumOfSix(grid, v, 1),
                  far = sumOfSix(grid, v, 2);
-    const auto kind = static_cast<size_t>(fresh), loud = vote(grid, v);
-    const std::array<Chance*, 4> contexts{&signByBetween_[kind][between], &signByVote_[kind][loud],
+    const auto kind = static_cast<size_t>(newAxisCount), loud = vote(grid, v);
+    const std::array<BitModel*, 4> contexts{&signByBetween_[kind][between], &signByVote_[kind][loud],
                                           &signBySides_[kind][near][far], &signByBoth_[kind][loud / 4][between & 15]};
-    const bool told = Mixer<4>::bit<127, 10>(coder, truth.positive(sample), contexts, signWeights_[kind]);
-    sign = told ? kPositive : kNegative;
+    const bool coded = Mixer<4>::bit<127, 10>(coder, actual.positive(sample), contexts, signWeights_[kind]);
+    sign = coded ? kPositive : kNegative;
   }
 
   /// Has the cell samples of both signs? Its corners tell, or a bit.
-  template <class Coder, class Truth>
-  bool isMixed(Coder& coder, const Truth& truth, const Lattice<3>& grid, int level, const Coordinates<3>& cell) {
+  template <class Coder, class Actual>
+  bool isMixed(Coder& coder, const Actual& actual, const Lattice<3>& grid, int level, const Coordinates<3>& cell) {
     int positives = 0;
     for (int corner = 0; corner < 8; ++corner)
       positives += positive(grid, {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)});
     if (positives != 0 && positives != 8) return true;
     if (level == levels_) return false;
-    const std::array<Chance*, 2> contexts{&mixedByLevel_[static_cast<size_t>(std::min(level, 31))][positives != 0],
+    const std::array<BitModel*, 2> contexts{&mixedByLevel_[static_cast<size_t>(std::min(level, 31))][positives != 0],
                                           &mixedByVote_[vote(grid, cell)][positives != 0]};
-    return Mixer<2>::bit<127, 10>(coder, truth.mixed(level, cell), contexts, mixedWeights_[positives != 0]);
+    return Mixer<2>::bit<127, 10>(coder, actual.mixed(level, cell), contexts, mixedWeights_[positives != 0]);
   }
 
   /// All samples of a cell of one sign.
@@ -184,13 +184,13 @@ class OctreeSigns {
   int levels_;
   std::vector<uint8_t> signs_;          // by sample
   std::vector<Coordinates<3>> active_;  // cells of the last level told with samples of both signs
-  std::array<std::array<Chance, 1 << 14>, 4> signByBetween_;
-  std::array<std::array<Chance, kVotes>, 4> signByVote_;
-  std::array<std::array<std::array<Chance, 13>, 13>, 4> signBySides_;
-  std::array<std::array<std::array<Chance, 16>, kVotes / 4>, 4> signByBoth_;
+  std::array<std::array<BitModel, 1 << 14>, 4> signByBetween_;
+  std::array<std::array<BitModel, kVotes>, 4> signByVote_;
+  std::array<std::array<std::array<BitModel, 13>, 13>, 4> signBySides_;
+  std::array<std::array<std::array<BitModel, 16>, kVotes / 4>, 4> signByBoth_;
   std::array<Mixer<4>::Weights, 4> signWeights_;
-  std::array<std::array<Chance, 2>, 32> mixedByLevel_;
-  std::array<std::array<Chance, 2>, kVotes> mixedByVote_;
+  std::array<std::array<BitModel, 2>, 32> mixedByLevel_;
+  std::array<std::array<BitModel, 2>, kVotes> mixedByVote_;
   std::array<Mixer<2>::Weights, 2> mixedWeights_;
 };
 

@@ -2,7 +2,7 @@
 
 namespace isostar::bench {
 
-void OctreeTruth::find(int level, int levels) {
+void OctreeEncoderSide::find(int level, int levels) {
   lattices_.resize(static_cast<size_t>(levels) + 1);
   auto& lattice = lattices_[static_cast<size_t>(level)];
   lattice = Lattice<3>(signs_.lattice().box, int32_t{1} << (levels - level));

@@ -7,9 +7,9 @@
 namespace isostar::bench {
 
 /// What the octree's encoder knows: the samples' signs, and which cells of each level have samples of both.
-class OctreeTruth {
+class OctreeEncoderSide {
  public:
-  OctreeTruth(const Signs<3>& signs, int levels) : signs_(signs), mixed_(static_cast<size_t>(levels) + 1) {
+  OctreeEncoderSide(const Signs<3>& signs, int levels) : signs_(signs), mixed_(static_cast<size_t>(levels) + 1) {
     for (int level = levels; level >= 0; --level) find(level, levels);
   }
 
@@ -35,7 +35,7 @@ class OctreeTruth {
 };
 
 /// The decoder has nothing to ask.
-struct OctreeBlind {
+struct OctreeDecoderSide {
   [[nodiscard]] bool positive(const Coordinates<3>&) const { return false; }
   [[nodiscard]] bool mixed(int, const Coordinates<3>&) const { return false; }
 };

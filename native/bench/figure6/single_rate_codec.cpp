@@ -17,26 +17,26 @@ constexpr double kFlat = 0.8, kQuantized = 1.1;
 
 struct Visit {
   TaggedSimplex<3> leaf, from;
-  int fresh = -1;  // of a component's first leaf, which comes from nowhere
+  int newVertex = -1;  // of a component's first leaf, which comes from nowhere
 };
 
 /// Both directions: `ask` has the mesh or nothing.
-template <class Ask>
-std::vector<Visit> tellMesh(Ask& ask, GateTraversal<3>& traversal) {
+template <class Exchange>
+std::vector<Visit> codeMesh(Exchange& exchange, GateTraversal<3>& traversal) {
   std::vector<Visit> visits;
-  traversal.tell(ask, [&](const auto& leaf, const auto* from, int fresh) {
-    visits.push_back({leaf, from != nullptr ? *from : leaf, from != nullptr ? fresh : -1});
+  traversal.code(exchange, [&](const auto& leaf, const auto* from, int newVertex) {
+    visits.push_back({leaf, from != nullptr ? *from : leaf, from != nullptr ? newVertex : -1});
   });
   return visits;
 }
 
 /// The same: truth(sample) is the scalar or anything.
-template <class Coder, class Truth>
-void tellScalars(Coder& coder, const std::vector<Visit>& visits, const GateTraversal<3>& traversal,
-                 ScalarCoder& scalars, Truth truth) {
+template <class Coder, class Actual>
+void codeScalars(Coder& coder, const std::vector<Visit>& visits, const GateTraversal<3>& traversal,
+                 ScalarCoder& scalars, Actual actual) {
   const auto positive = [&](const Coordinates<3>& sample) { return traversal.positive(sample); };
-  for (const auto& [leaf, from, fresh] : visits)
-    scalars.tell(coder, leaf, fresh < 0 ? nullptr : &from, fresh, positive, truth);
+  for (const auto& [leaf, from, newVertex] : visits)
+    scalars.code(coder, leaf, newVertex < 0 ? nullptr : &from, newVertex, positive, actual);
 }
 
 SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const DistanceSamples& distances, double step) {
@@ -46,13 +46,13 @@ SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const Dista
   const auto rounded = static_cast<float>(step);
   header.f32(rounded);
   RangeEncoder coder(stream.bytes);
-  MeshTruth<3, RangeEncoder> ask(coder, mesh, signs);
+  MeshEncoderSide<3, RangeEncoder> exchange(coder, mesh, signs);
   GateTraversal<3> traversal(mesh.hierarchy());
   ScalarCoder scalars(mesh.hierarchy(), double{rounded});
-  const auto visits = tellMesh(ask, traversal);
+  const auto visits = codeMesh(exchange, traversal);
   stream.connectivity = stream.bytes.size();
   stream.leaves = visits.size();
-  tellScalars(coder, visits, traversal, scalars, [&](const auto& sample) { return distances(sample); });
+  codeScalars(coder, visits, traversal, scalars, [&](const auto& sample) { return distances(sample); });
   stream.vertices = scalars.count();
   coder.finish();
   return stream;
@@ -64,7 +64,7 @@ std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isov
                                                const measure::TriangleTree& surface, std::span<const double> bounds) {
   const Signs<3> signs = signsOf(volume, isovalue);
   const DistanceSamples distances(volume, isovalue, signs, surface);
-  const Hierarchy<3> hierarchy(lastSample(volume.size), octavesOf(volume.size));
+  const Hierarchy<3> hierarchy(lastSample(volume.size), finestLevelOf(volume.size));
   const auto source = [&](const Coordinates<3>& v) { return distances.source(v); };
   std::vector<SingleRateStream> streams;
   for (double bound : bounds) {
@@ -81,13 +81,13 @@ SampledFunction decodeSingleRate(std::span<const std::byte> bytes) {
   ByteReader header(bytes);
   for (int32_t& side : result.size) side = static_cast<int32_t>(header.varint());
   const double step = double{header.f32()};
-  const Hierarchy<3> hierarchy(lastSample(result.size), octavesOf(result.size));
+  const Hierarchy<3> hierarchy(lastSample(result.size), finestLevelOf(result.size));
   RangeDecoder coder(bytes.subspan(header.position()));
-  MeshBlind<3> ask(coder, 8);
+  MeshDecoderSide<3> exchange(coder, 8);
   GateTraversal<3> traversal(hierarchy);
   ScalarCoder scalars(hierarchy, step);
-  const auto visits = tellMesh(ask, traversal);
-  tellScalars(coder, visits, traversal, scalars, [](const auto&) { return 0.0; });
+  const auto visits = codeMesh(exchange, traversal);
+  codeScalars(coder, visits, traversal, scalars, [](const auto&) { return 0.0; });
   LeafField field(hierarchy);
   for (const Visit& v : visits) field.add(v.leaf, [&](const auto& sample) { return scalars.value(sample); });
   field.complete(traversal.positive({}));

@@ -13,11 +13,11 @@ Signs<3> signsOf(const Volume& volume, double isovalue) {
   return signs;
 }
 
-int octavesOf(const std::array<int32_t, 3>& size) {
+int finestLevelOf(const std::array<int32_t, 3>& size) {
   constexpr int kBaseCells = 4;
-  int octaves = 0;
-  while (std::max({size[0], size[1], size[2]}) - 1 > kBaseCells << octaves) ++octaves;
-  return octaves;
+  int finestLevel = 0;
+  while (std::max({size[0], size[1], size[2]}) - 1 > kBaseCells << finestLevel) ++finestLevel;
+  return finestLevel;
 }
 
 }  // namespace isostar::bench

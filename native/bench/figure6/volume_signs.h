@@ -9,7 +9,7 @@ namespace isostar::bench {
 Signs<3> signsOf(const Volume&, double isovalue);
 
 /// How often a cell of four on the longest axis must be halved to be the grid's own: the octaves that isostar has.
-int octavesOf(const std::array<int32_t, 3>& size);
+int finestLevelOf(const std::array<int32_t, 3>& size);
 
 /// The last sample on each axis.
 inline Coordinates<3> lastSample(const std::array<int32_t, 3>& size) {

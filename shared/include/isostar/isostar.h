@@ -76,7 +76,7 @@ struct Sequence {
 
 struct EncodeOptions {
   double isovalue = 0;
-  std::vector<double> near;  // further isovalues on top of it (§5.4), at most 15, all different; not with `adaptive`
+  std::vector<double> furtherIsovalues;  // further isovalues on top of it (§5.4), at most 15, all different; not with `adaptive`
   double maxError = 0.05;  // bound on the two-sided distance, in grid steps along the smallest spacing
   bool lossless = false;   // the decoded surface is the one that the polygonizer makes of the source
   Polygonizer polygonizer = Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
@@ -179,7 +179,7 @@ class Decoder {
 
   /// Copies. Never fails: more than Limits::memory becomes error(). Bytes past the stream's end, after an error or after
   /// finish() are not taken.
-  void feed(std::span<const std::byte>);
+  void accept(std::span<const std::byte>);
   void finish();  // no more bytes will come: advance() then shows what a torn layer still tells
   /// Decodes one more layer. True: mesh() would show a better surface. False: feed more, or all is shown, or see error().
   [[nodiscard]] bool advance();
@@ -192,7 +192,7 @@ class Decoder {
   [[nodiscard]] int levels() const;        // how many octaves the stream has, 0 before its header has arrived
   [[nodiscard]] uint64_t bytes() const;    // length of the prefix that mesh() shows
   [[nodiscard]] double rmsError() const;   // of the last complete layer, grid steps
-  [[nodiscard]] bool complete() const;     // all layers are decoded
+  [[nodiscard]] bool isFinal() const;     // all layers are decoded
 
   /// Of a volume or of a sequence. Truncated: no header has arrived. OverLimit: it would take more than the limits.
   /// BadArgument: the stream is an image's, or has no such time or isovalue.

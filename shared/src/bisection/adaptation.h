@@ -17,13 +17,13 @@ void refine(Rbmt<D>& mesh, Keeps keeps) {
   forEachLeaf(mesh, [&](const TaggedSimplex<D>& leaf) { open.push_back(leaf); });
   auto openAll = [&](const auto& simplices) {
     for (const auto& s : simplices) {
-      if (s.level < hierarchy.levels() && !hierarchy.flat(s.vertices)) open.push_back(s);
+      if (s.depth < hierarchy.maxDepth() && !hierarchy.flat(s.vertices)) open.push_back(s);
     }
   };
   while (!open.empty()) {
     const auto s = open.back();
     open.pop_back();
-    if (s.level == hierarchy.levels() || mesh.splits(s) || keeps(s)) continue;
+    if (s.depth == hierarchy.maxDepth() || mesh.splits(s) || keeps(s)) continue;
     mesh.split(s.middle(), added);
     for (const auto& v : added) {
       forEachSimplexOf(hierarchy.diamond(v), hierarchy,
@@ -37,8 +37,8 @@ void refine(Rbmt<D>& mesh, Keeps keeps) {
 template <int D, class Allows>
 void coarsen(Rbmt<D>& mesh, Allows allows) {
   typename Rbmt<D>::Vertices removed;
-  for (int level = mesh.hierarchy().levels(); level >= 1; --level) {
-    mesh.forEachVertex(level, [&](const Coordinates<D>& v) {
+  for (int depth = mesh.hierarchy().maxDepth(); depth >= 1; --depth) {
+    mesh.forEachVertex(depth, [&](const Coordinates<D>& v) {
       if (mesh.canWeld(v) && allows(mesh.hierarchy().diamond(v))) mesh.weld(v, removed);
     });
   }

@@ -11,7 +11,7 @@ namespace isostar {
 template <int D>
 struct Adjacent {
   TaggedSimplex<D> simplex;
-  int fresh;
+  int newVertex;
 };
 
 /// The simplex of the same level on the other side of the face opposite vertex i; nothing where the box ends.
@@ -45,14 +45,14 @@ std::optional<Adjacent<D>> across(const Hierarchy<D>& hierarchy, const TaggedSim
     const bool behind = m[axis] / step % 2 == 0;
     if (i == 0 && behind) std::copy(s.vertices.begin() + 1, s.vertices.begin() + path + 1, v.begin());
     if (i != 0 && !behind) std::copy(s.vertices.begin(), s.vertices.begin() + path, v.begin() + 1);
-    other.fresh = behind ? path : 0;
-    v[other.fresh] = behind ? v[path - 1] : v[1];
-    v[other.fresh][axis] += step;
-    if (other.fresh != i && path % 2 != 0) other.simplex.mirrored = s.mirrored;
+    other.newVertex = behind ? path : 0;
+    v[other.newVertex] = behind ? v[path - 1] : v[1];
+    v[other.newVertex][axis] += step;
+    if (other.newVertex != i && path % 2 != 0) other.simplex.mirrored = s.mirrored;
   }
   for (int a = 0; a < D; ++a) {
     const auto beyond = [&](const Coordinates<D>& w) { return w[a] >= hierarchy.box()[a]; };
-    if (v[other.fresh][a] < 0 || std::all_of(v.begin(), v.end(), beyond)) return std::nullopt;
+    if (v[other.newVertex][a] < 0 || std::all_of(v.begin(), v.end(), beyond)) return std::nullopt;
   }
   return other;
 }
@@ -68,7 +68,7 @@ template <int D>
 TaggedSimplex<D> parent(const TaggedSimplex<D>& s) {
   TaggedSimplex<D> p = s;
   p.tag = newest(s);
-  --p.level;
+  --p.depth;
   const auto &m = s.vertices[p.tag], &first = s.vertices[0], &last = s.vertices[p.tag - 1];
   // The axis that the path has lost: on which side its rest lies tells the half.
   int axis = 0;

@@ -17,7 +17,7 @@ template <int D, class Enter, class Visit>
 void forEachFinestBelow(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s, const Enter& enter,
                         const Visit& visit) {
   if (hierarchy.flat(s.vertices) || !enter(s)) return;
-  if (s.level == hierarchy.levels()) {
+  if (s.depth == hierarchy.maxDepth()) {
     visit(s);
     return;
   }
@@ -75,9 +75,9 @@ class DistanceBound {
     Corners there;
     for (int i = 0; i <= D; ++i) there[i] = (*source_)(hierarchy_->position(finest.vertices[i]));
     if (!crossed(here) && !crossed(there)) return 0;
-    const LinearFunction<D> truth(*hierarchy_, finest,
+    const LinearFunction<D> actual(*hierarchy_, finest,
                                   [&](const auto& v) { return (*source_)(hierarchy_->position(v)); });
-    const double steepness = linear.steepness(), trueSteepness = truth.steepness();
+    const double steepness = linear.steepness(), trueSteepness = actual.steepness();
     double farthest = 0;
     for (int i = 0; i <= D; ++i) {
       for (int j = i + 1; j <= D; ++j) {

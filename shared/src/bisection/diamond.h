@@ -14,10 +14,10 @@ template <int D>
 struct Diamond {
   Coordinates<D> vertex{};
   int32_t half = 1;    // from the vertex to either end of the edge, on each axis that the edge runs along
-  unsigned fresh = 0;  // bit a: the edge runs along axis a, the vertex is fresh there
-  int level = 0;       // of the simplices that the split makes: bisections since the base
+  unsigned newAxes = 0;  // bit a: the edge runs along axis a, the vertex is fresh there
+  int depth = 0;       // of the simplices that the split makes: bisections since the base
 
-  [[nodiscard]] bool along(int axis) const { return (fresh >> axis & 1) != 0; }
+  [[nodiscard]] bool along(int axis) const { return (newAxes >> axis & 1) != 0; }
   [[nodiscard]] int axes() const {
     int count = 0;
     for (int a = 0; a < D; ++a) count += along(a);
@@ -51,15 +51,15 @@ class Hierarchy {
   Hierarchy() = default;
   /// A box with samples 0 … lastSample; `octaves` is how often cells of the base are halved, at most 20, and less than
   /// 2³⁰ planes are padded. A box without extent on some axis has no simplices.
-  Hierarchy(const Coordinates<D>& lastSample, int octaves)
+  Hierarchy(const Coordinates<D>& lastSample, int finestLevel)
       : box_(lastSample),
-        octaves_(octaves),
+        finestLevel_(finestLevel),
         padded_(std::any_of(box_.begin(), box_.end(), [&](int32_t last) { return last % baseStep() != 0; })) {}
 
   [[nodiscard]] const Coordinates<D>& box() const { return box_; }
-  [[nodiscard]] int octaves() const { return octaves_; }
-  [[nodiscard]] int levels() const { return D * octaves_; }
-  [[nodiscard]] int32_t baseStep() const { return int32_t{1} << octaves_; }
+  [[nodiscard]] int finestLevel() const { return finestLevel_; }
+  [[nodiscard]] int maxDepth() const { return D * finestLevel_; }
+  [[nodiscard]] int32_t baseStep() const { return int32_t{1} << finestLevel_; }
   /// Cells of the base on an axis.
   [[nodiscard]] int32_t baseCells(int axis) const { return (box_[axis] + baseStep() - 1) / baseStep(); }
   /// All coordinates that a vertex may have.
@@ -90,9 +90,9 @@ class Hierarchy {
   [[nodiscard]] Diamond<D> diamond(const Coordinates<D>& v) const {
     const int32_t all = bits(v);
     Diamond<D> d{v, all & -all, 0, 0};
-    for (int a = 0; a < D; ++a) d.fresh |= (v[a] & d.half) != 0 ? 1u << a : 0u;
-    for (int32_t step = d.half * 2; step < baseStep(); step *= 2) d.level += D;
-    d.level += D - d.axes() + 1;
+    for (int a = 0; a < D; ++a) d.newAxes |= (v[a] & d.half) != 0 ? 1u << a : 0u;
+    for (int32_t step = d.half * 2; step < baseStep(); step *= 2) d.depth += D;
+    d.depth += D - d.axes() + 1;
     return d;
   }
   /// Does a mesh of the box have simplices around the vertex? Coordinates are not negative.
@@ -128,7 +128,7 @@ class Hierarchy {
   /// next octave where it is one axis only.
   template <class Visit>
   void forEachChild(const Diamond<D>& d, Visit&& visit) const {
-    if (d.axes() == 1) return forEachChildOfNextOctave(d, visit);
+    if (d.axes() == 1) return forEachChildOfNextLevel(d, visit);
     for (int a = 0; a < D; ++a) {
       if (!d.along(a)) continue;
       for (int32_t by : {-d.half, d.half}) visitHeld(moved(d.vertex, a, by), visit);
@@ -150,7 +150,7 @@ class Hierarchy {
     if (std::all_of(v.begin(), v.end(), [](int32_t x) { return x >= 0; }) && holds(v)) visit(v);
   }
   template <class Visit>
-  void forEachChildOfNextOctave(const Diamond<D>& d, Visit& visit) const {
+  void forEachChildOfNextLevel(const Diamond<D>& d, Visit& visit) const {
     if (d.half == 1) return;
     for (unsigned up = 0; up < 1u << D; ++up) {
       Coordinates<D> child = d.vertex;
@@ -160,7 +160,7 @@ class Hierarchy {
   }
 
   Coordinates<D> box_{};
-  int octaves_ = 0;
+  int finestLevel_ = 0;
   bool padded_ = false;
 };
 

@@ -95,7 +95,7 @@ bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& 
   }
   unsigned seen = 0;
   for (auto at = first;;) {
-    const uint32_t index = signs.index(signs.table().place(at));
+    const uint32_t index = signs.index(signs.table().index(at));
     if (index <= Signs<D>::kPositive) {
       seen |= 1u << index;
     } else {

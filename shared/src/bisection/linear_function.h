@@ -29,14 +29,14 @@ class LinearFunction {
     for (int i = 1; i <= D; ++i) {
       const auto at = hierarchy.position(s.vertices[i]);
       double rise = values(s.vertices[i]) - value_;
-      int fresh = 0;
+      int newAxes = 0;
       for (int a = 0; a < D; ++a) {
         if (at[a] == origin_[a]) continue;
-        if ((known_ >> a & 1) == 0) fresh = a;
+        if ((known_ >> a & 1) == 0) newAxes = a;
         rise -= gradient_[a] * (at[a] - origin_[a]);
       }
-      known_ |= 1u << fresh;
-      gradient_[fresh] = rise / (at[fresh] - origin_[fresh]);
+      known_ |= 1u << newAxes;
+      gradient_[newAxes] = rise / (at[newAxes] - origin_[newAxes]);
     }
   }
 

@@ -35,7 +35,7 @@ class Rbmt {
   }
   /// Has a simplex that is or was of the mesh been split?
   [[nodiscard]] bool splits(const TaggedSimplex<D>& s) const {
-    return s.level < hierarchy_.levels() && bits_.at(s.middle());
+    return s.depth < hierarchy_.maxDepth() && bits_.at(s.middle());
   }
   /// Bytes in use.
   [[nodiscard]] std::size_t memory() const { return bits_.memory(); }
@@ -91,15 +91,15 @@ class Rbmt {
   /// Calls visit(vertex) for the vertices of a level (1 … levels) that are in the mesh, in an order of their own. The
   /// visitor may split and weld; what it adds on this level may be visited or not.
   template <class Visit>
-  void forEachVertex(int level, Visit&& visit) const {
-    const int32_t half = int32_t{1} << (hierarchy_.octaves() - 1 - (level - 1) / D);
-    const int axes = D - (level - 1) % D;
-    for (std::size_t place = 0; place < bits_.table().total(); ++place) {
-      if (bits_.index(place) == Signs<D>::kNegative) continue;
-      Coordinates<D> lowest = bits_.table().brick(place);
+  void forEachVertex(int depth, Visit&& visit) const {
+    const int32_t half = int32_t{1} << (hierarchy_.finestLevel() - 1 - (depth - 1) / D);
+    const int axes = D - (depth - 1) % D;
+    for (std::size_t brickIndex = 0; brickIndex < bits_.table().total(); ++brickIndex) {
+      if (bits_.index(brickIndex) == Signs<D>::kNegative) continue;
+      Coordinates<D> lowest = bits_.table().brick(brickIndex);
       for (int32_t& x : lowest) x *= kBrickSide;
-      for (unsigned fresh = 1; fresh < 1u << D; ++fresh) {
-        if (Diamond<D>{{}, half, fresh, level}.axes() == axes) forEachInBrick(lowest, half, fresh, visit);
+      for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
+        if (Diamond<D>{{}, half, newAxes, depth}.axes() == axes) forEachInBrick(lowest, half, newAxes, visit);
       }
     }
   }
@@ -130,11 +130,11 @@ class Rbmt {
 
   /// The mesh's vertices in a brick that are fresh on these axes, on the octave with planes `half` apart.
   template <class Visit>
-  void forEachInBrick(const Coordinates<D>& lowest, int32_t half, unsigned fresh, Visit& visit) const {
+  void forEachInBrick(const Coordinates<D>& lowest, int32_t half, unsigned newAxes, Visit& visit) const {
     const int32_t stride = 2 * half;
     Coordinates<D> first, last;
     for (int a = 0; a < D; ++a) {
-      const int32_t phase = (fresh >> a & 1) != 0 ? half : 0;
+      const int32_t phase = (newAxes >> a & 1) != 0 ? half : 0;
       first[a] = (lowest[a] - phase + stride - 1) / stride * stride + phase;
       if (lowest[a] < phase) first[a] = phase;
       last[a] = std::min(lowest[a] + kBrickSide - 1, bits_.lattice().last[a]);

@@ -15,7 +15,7 @@ template <int D>
 struct TaggedSimplex {
   std::array<Coordinates<D>, D + 1> vertices{};
   int tag = D;
-  int level = 0;          // bisections since the base
+  int depth = 0;          // bisections since the base
   bool mirrored = false;  // the edges from vertex 0 are a left-handed frame
 
   /// The vertex that would split it: names the diamond around its refinement edge.
@@ -34,7 +34,7 @@ struct TaggedSimplex {
     both[1].mirrored = mirrored != ((tag & 1) != 0);
     for (auto& half : both) {
       half.tag = tag > 1 ? tag - 1 : D;
-      ++half.level;
+      ++half.depth;
     }
     return both;
   }
@@ -98,7 +98,7 @@ void forEachSimplexOf(const Diamond<D>& d, const Hierarchy<D>& hierarchy, Visit&
   do {
     do {
       for (unsigned upwards = 0; upwards < 1u << (D - along); ++upwards) {
-        TaggedSimplex<D> s{{}, along, d.level - 1, oddOrder<D>(axes)};
+        TaggedSimplex<D> s{{}, along, d.depth - 1, oddOrder<D>(axes)};
         s.vertices[0] = even;
         bool inside = true;
         for (int i = 0; i < D; ++i) {

@@ -29,12 +29,12 @@ bool invertible(const Placement& p) {
   return std::abs(determinant) > kFlat * lengths;
 }
 
-int Header::octaves() const {
+int Header::finestLevel() const {
   int32_t cells = 0;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) cells = std::max(cells, size[a] - 1);
-  int octaves = 0;
-  while (cells > int64_t{kMostBaseCells} << octaves) ++octaves;
-  return octaves;
+  int finestLevel = 0;
+  while (cells > int64_t{kMostBaseCells} << finestLevel) ++finestLevel;
+  return finestLevel;
 }
 
 int32_t Header::domainFineness() const {
@@ -54,7 +54,7 @@ int32_t Header::domainReach() const {
 
 void Header::countWhole(double step) {
   whole = true;
-  quantum = step;
+  quantizationStep = step;
   const double steps = stepsOf(isovalue, step), fraction = steps - std::floor(steps);
   positiveOffset = 1 - fraction;
   negativeOffset = fraction;
@@ -63,13 +63,13 @@ void Header::countWhole(double step) {
 Header Header::at(double other) const {
   Header seen = *this;
   seen.isovalue = other;
-  if (whole) seen.countWhole(quantum);
+  if (whole) seen.countWhole(quantizationStep);
   return seen;
 }
 
 bool Header::spans(double other) const {
   double least = isovalue, most = isovalue;
-  for (const double each : near) {
+  for (const double each : furtherIsovalues) {
     least = std::min(least, each);
     most = std::max(most, each);
   }
@@ -77,9 +77,9 @@ bool Header::spans(double other) const {
 }
 
 int32_t Header::shift(double other) const {
-  const auto steps = [&](double value) { return std::floor(stepsOf(value, quantum)); };
-  const double quanta = whole ? steps(other) - steps(isovalue) : std::round((other - isovalue) / quantum);
-  return static_cast<int32_t>(std::clamp<double>(quanta, -kFarQuanta, kFarQuanta));
+  const auto wholeSteps = [&](double value) { return std::floor(stepsOf(value, quantizationStep)); };
+  const double steps = whole ? wholeSteps(other) - wholeSteps(isovalue) : std::round((other - isovalue) / quantizationStep);
+  return static_cast<int32_t>(std::clamp<double>(steps, -kFarSteps, kFarSteps));
 }
 
 Header headerOf(const Image& image) {

@@ -17,7 +17,7 @@ struct Header {
   Coordinates<4> size{};       // of the first `dimension` axes
   Placement placement;         // of the first three axes; an image's third spacing is its smallest
   double isovalue = 0;
-  std::vector<double> near;  // further isovalues (§5.4), in the order in which they are told
+  std::vector<double> furtherIsovalues;  // further isovalues (§5.4), in the order in which they are told
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
   bool adaptive = false;   // layers are those of an AdaptiveMesh
@@ -27,7 +27,7 @@ struct Header {
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.
-  double quantum = 1;
+  double quantizationStep = 1;
   double positiveOffset = 0.5, negativeOffset = 0.5;
   /// Samples are whole numbers of quanta, of 1 or of kByteStep; else a quantum is a power of two.
   bool whole = false;
@@ -35,11 +35,11 @@ struct Header {
 
   static constexpr int32_t kMostBaseCells = 4;  // of the base octave on an axis
   static constexpr double kByteStep = 1.0 / 255;
-  static constexpr std::size_t kMostNear = 15;
-  static constexpr int32_t kFarQuanta = (1 << 29) - 1;
+  static constexpr std::size_t kMostFurther = 15;
+  static constexpr int32_t kFarSteps = (1 << 29) - 1;
 
   /// Refinements from the base to the source's own grid: as few as the base allows.
-  [[nodiscard]] int octaves() const;
+  [[nodiscard]] int finestLevel() const;
   /// Quanta to a grid step in which a domain's distances are told: as fine as the bound asks, 32 at most.
   [[nodiscard]] int32_t domainFineness() const;
   /// The diagonal of a cell in such quanta: no distance further away matters.
@@ -53,13 +53,13 @@ struct Header {
   /// How many quanta another isovalue lies above the first one; bounded by kFarQuanta.
   [[nodiscard]] int32_t shift(double other) const;
   /// By so many quanta a shift may be off: 1/255 is no sum of powers of two.
-  [[nodiscard]] int32_t shiftError() const { return whole && quantum == 1 ? 0 : 1; }
+  [[nodiscard]] int32_t shiftError() const { return whole && quantizationStep == 1 ? 0 : 1; }
 
   template <int D>
   [[nodiscard]] Lattice<D> base() const {
     Coordinates<D> last;
     for (int a = 0; a < D; ++a) last[a] = size[static_cast<std::size_t>(a)] - 1;
-    return Lattice<D>(last, int32_t{1} << octaves());
+    return Lattice<D>(last, int32_t{1} << finestLevel());
   }
 };
 

@@ -67,7 +67,7 @@ void write(ByteWriter& out, const Header& h) {
   const bool turned = h.dimension > 2 && direction != plain.direction;
   const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
                          (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
-                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantum != 1 ? kByteSteps : 0u) | (h.near.empty() ? 0u : kNear) |
+                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantizationStep != 1 ? kByteSteps : 0u) | (h.furtherIsovalues.empty() ? 0u : kNear) |
                          (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
@@ -75,9 +75,9 @@ void write(ByteWriter& out, const Header& h) {
   w.varint(flags);
   for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) w.varint(static_cast<uint64_t>(h.size[a]));
   w.real(h.isovalue);
-  if (!h.near.empty()) w.varint(h.near.size());
-  for (const double other : h.near) w.real(other);
-  if (!h.whole) w.zigzag(std::ilogb(h.quantum));
+  if (!h.furtherIsovalues.empty()) w.varint(h.furtherIsovalues.size());
+  for (const double other : h.furtherIsovalues) w.real(other);
+  if (!h.whole) w.zigzag(std::ilogb(h.quantizationStep));
   if (!h.lossless) w.real(h.maxError);
   w.varint(h.vertices);
   for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) w.real(spacing[a]);
@@ -138,16 +138,16 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   std::fill(h.size.begin() + h.dimension, h.size.end(), 1);
   h.isovalue = r.real();
   const uint64_t others = (flags & kNear) != 0 ? r.varint() : 0;
-  if (others > Header::kMostNear) return Error::Corrupt;
+  if (others > Header::kMostFurther) return Error::Corrupt;
   for (uint64_t i = 0; i < others; ++i) {
-    h.near.push_back(r.real());
-    sane = sane && std::isfinite(h.near.back());
+    h.furtherIsovalues.push_back(r.real());
+    sane = sane && std::isfinite(h.furtherIsovalues.back());
   }
   int64_t exponent = 0;
   if ((flags & kWhole) != 0) h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
   else exponent = r.zigzag();
   sane = sane && std::abs(exponent) < 1000;
-  if (!h.whole && sane) h.quantum = std::ldexp(1.0, static_cast<int>(exponent));
+  if (!h.whole && sane) h.quantizationStep = std::ldexp(1.0, static_cast<int>(exponent));
   if (!h.lossless) h.maxError = r.real();
   h.vertices = r.varint();
   const std::size_t axes = placed(h);
@@ -164,8 +164,8 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (expected != checksum(body.first(length))) return Error::Corrupt;
   if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
   if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
-  if (h.adaptive && (h.keepsTopology || !h.near.empty())) return Error::Corrupt;
-  if (h.trimmed && (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.near.empty())) return Error::Corrupt;
+  if (h.adaptive && (h.keepsTopology || !h.furtherIsovalues.empty())) return Error::Corrupt;
+  if (h.trimmed && (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.furtherIsovalues.empty())) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;
@@ -180,8 +180,8 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   if (r.overrun()) return Error::Truncated;
   const auto kind = static_cast<LayerKind>(first >> 5);
   const uint32_t level = first & 31;
-  const bool numbered = level >= 1 && level <= header.near.size();
-  if (isNear(kind) ? !numbered : level > static_cast<uint32_t>(header.octaves())) return Error::Corrupt;
+  const bool numbered = level >= 1 && level <= header.furtherIsovalues.size();
+  if (isFurther(kind) ? !numbered : level > static_cast<uint32_t>(header.finestLevel())) return Error::Corrupt;
   out = {kind, static_cast<int>(level), unpack(error), bytes, sum};
   used = r.position();
   return Error::None;

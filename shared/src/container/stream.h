@@ -10,7 +10,7 @@
 namespace isostar {
 
 /// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead of the octave.
-enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Octaves = 2, Halving = 3, Domain = 4, Displacement = 5, NearSigns = 6, NearGeometry = 7 };
+enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Exponents = 2, Magnitudes = 3, Domain = 4, Displacement = 5, FurtherSigns = 6, FurtherGeometry = 7 };
 
 struct LayerHead {
   LayerKind kind = LayerKind::Base;
@@ -20,7 +20,7 @@ struct LayerHead {
   uint32_t checksum = 0;
 };
 
-[[nodiscard]] inline bool isNear(LayerKind kind) { return kind == LayerKind::NearSigns || kind == LayerKind::NearGeometry; }
+[[nodiscard]] inline bool isFurther(LayerKind kind) { return kind == LayerKind::FurtherSigns || kind == LayerKind::FurtherGeometry; }
 
 inline constexpr uint64_t kMostLayers = 255;
 

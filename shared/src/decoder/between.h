@@ -11,33 +11,33 @@ template <int D>
 class Between {
  public:
   /// `quanta` above the first isovalue; `offset` is that of its positive scalars (Header::positiveOffset).
-  Between(const CloseBy<D>& near, const typename CloseBy<D>::First& first, double isovalue, double quanta, double offset)
-      : scalars_(near.seenFrom(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
-    const auto neighbours = near.neighbours(first, isovalue);
+  Between(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first, double isovalue, double steps, double offset)
+      : scalars_(further.seenFrom(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
+    const auto neighbours = further.neighbours(first, isovalue);
     const auto& nearest = neighbours.nearest(isovalue);
     signs_ = *nearest.signs;
     // An interval's middle is half a quantum below what Scalars keep: that is the offset of all of them.
-    const auto inScalars = [&](double level) { return std::clamp(std::ldexp(2 * level + 1 - 2 * offset, finer_), -kMost, kMost); };
-    zero_ = std::llround(inScalars(quanta));
+    const auto inScalars = [&](double isoStep) { return std::clamp(std::ldexp(2 * isoStep + 1 - 2 * offset, finer_), -kMost, kMost); };
+    zero_ = std::llround(inScalars(steps));
     if (neighbours.below && neighbours.above) {
-      middle_ = std::llround(std::ldexp(double(neighbours.below->level) + neighbours.above->level, finer_));
+      middle_ = std::llround(std::ldexp(double(neighbours.below->isoStep) + neighbours.above->isoStep, finer_));
       below_ = neighbours.below->signs;
       above_ = neighbours.above->signs;
     }
-    for (std::size_t place = 0; place < scalars_.places(); ++place) brick(place);
+    for (std::size_t brickIndex = 0; brickIndex < scalars_.tableSize(); ++brickIndex) brick(brickIndex);
     active_ = activeBricks(signs_);
   }
 
   /// Bytes that it takes at most to make it.
-  [[nodiscard]] static uint64_t memoryToMake(const CloseBy<D>& near, const typename CloseBy<D>::First& first, double isovalue) {
-    const auto neighbours = near.neighbours(first, isovalue);
-    const uint64_t places = first.signs.table().total(), seen = near.bricksSeen(first);
+  [[nodiscard]] static uint64_t memoryToMake(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first, double isovalue) {
+    const auto neighbours = further.neighbours(first, isovalue);
+    const uint64_t brickIndices = first.signs.table().total(), seen = further.bricksSeen(first);
     uint64_t bricks = seen;
-    for (std::size_t place = 0; neighbours.below && neighbours.above && place < places; ++place) {
-      bricks += splits(*neighbours.below->signs, *neighbours.above->signs, place) ? 1 : 0;
+    for (std::size_t brickIndex = 0; neighbours.below && neighbours.above && brickIndex < brickIndices; ++brickIndex) {
+      bricks += splits(*neighbours.below->signs, *neighbours.above->signs, brickIndex) ? 1 : 0;
     }
-    return Scalars<D>::memoryOf(places, bricks) + Scalars<D>::memoryOf(places, seen) + places +
-           Signs<D>::memoryToFill(places, neighbours.nearest(isovalue).signs->brickCount() + bricks);
+    return Scalars<D>::memoryOf(brickIndices, bricks) + Scalars<D>::memoryOf(brickIndices, seen) + brickIndices +
+           Signs<D>::memoryToFill(brickIndices, neighbours.nearest(isovalue).signs->brickCount() + bricks);
   }
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return scalars_.memory() + known_.memory() + signs_.memory() + active_.size(); }
@@ -52,32 +52,32 @@ class Between {
   static constexpr double kMost = 1 << 30;
 
   /// May a brick have vertices between two isovalues?
-  static bool splits(const Signs<D>& below, const Signs<D>& above, std::size_t place) {
-    return below.index(place) != Signs<D>::kNegative && above.index(place) != Signs<D>::kPositive;
+  static bool splits(const Signs<D>& below, const Signs<D>& above, std::size_t brickIndex) {
+    return below.index(brickIndex) != Signs<D>::kNegative && above.index(brickIndex) != Signs<D>::kPositive;
   }
 
-  void brick(std::size_t place) {
-    const bool split = below_ != nullptr && splits(*below_, *above_, place);
-    if (!split && !known_.has(place)) return;
-    Brick<D> bits = signs_.brickAt(place);
-    const auto& told = known_.at(place);
-    if (split) window_.load(known_, signs_.table(), signs_.table().brick(place));
+  void brick(std::size_t brickIndex) {
+    const bool split = below_ != nullptr && splits(*below_, *above_, brickIndex);
+    if (!split && !known_.has(brickIndex)) return;
+    Brick<D> bits = signs_.brickAt(brickIndex);
+    const auto& coded = known_.at(brickIndex);
+    if (split) window_.load(known_, signs_.table(), signs_.table().brick(brickIndex));
     for (std::size_t r = 0; r < bits.rows.size(); ++r) {
-      const unsigned unsure = split ? below_->brickAt(place).rows[r] & ~unsigned{above_->brickAt(place).rows[r]} : 0;
+      const unsigned unsure = split ? below_->brickAt(brickIndex).rows[r] & ~unsigned{above_->brickAt(brickIndex).rows[r]} : 0;
       for (int x = 0; x < kBrickSide; ++x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         const bool open = (unsure >> x & 1) != 0;
-        if (!told.knows(v) && !open) continue;
-        const int64_t value = (told.knows(v) ? told.value[v] : around(r, x)) - zero_;
+        if (!coded.knows(v) && !open) continue;
+        const int64_t value = (coded.knows(v) ? coded.value[v] : around(r, x)) - zero_;
         // Which side of the two isovalues told it is on, is certain.
         const bool sure = below_ != nullptr && !open, positive = sure ? (bits.rows[r] >> x & 1) != 0 : value > 0;
         const auto size = static_cast<int32_t>(std::clamp<int64_t>(std::abs(value), 1, INT32_MAX / 2));
-        scalars_.writable(place).value[v] = positive ? size : -size;
+        scalars_.writable(brickIndex).value[v] = positive ? size : -size;
         bits.rows[r] = static_cast<uint8_t>((bits.rows[r] & ~(1u << x)) | unsigned{positive} << x);
       }
     }
-    if (bits == signs_.brickAt(place)) return;
-    signs_.writable(place) = bits;
+    if (bits == signs_.brickAt(brickIndex)) return;
+    signs_.writable(brickIndex) = bits;
   }
 
   /// The mean of what is known next to a vertex, or else the middle between both isovalues.

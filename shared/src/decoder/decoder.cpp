@@ -12,7 +12,7 @@ const char* kindName(LayerKind kind) {
   switch (kind) {
     case LayerKind::Base: return "base";
     case LayerKind::Refinement:
-    case LayerKind::NearSigns: return "refinement";
+    case LayerKind::FurtherSigns: return "refinement";
     case LayerKind::Domain: return "domain";
     default: return "geometry";
   }
@@ -26,7 +26,7 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   info.frames = h.size[3];
   info.placement = h.placement;
   info.isovalues = {h.isovalue};
-  info.isovalues.insert(info.isovalues.end(), h.near.begin(), h.near.end());
+  info.isovalues.insert(info.isovalues.end(), h.furtherIsovalues.begin(), h.furtherIsovalues.end());
   info.polygonizer = h.polygonizer;
   info.lossless = h.lossless;
   info.adaptive = h.adaptive;
@@ -42,9 +42,9 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
 
 /// A layer whose own bytes begin at `start`.
 void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes, std::size_t start) {
-  const bool near = isNear(head.kind);
+  const bool near = isFurther(head.kind);
   info.headerBytes += headBytes;
-  info.layers.push_back({kindName(head.kind), near ? header.octaves() : head.level, start + head.bytes, head.bytes, head.error, near ? head.level : 0});
+  info.layers.push_back({kindName(head.kind), near ? header.finestLevel() : head.level, start + head.bytes, head.bytes, head.error, near ? head.level : 0});
 }
 
 /// The head at the beginning of what is left of a stream, of which `stream` may not have arrived.
@@ -81,7 +81,7 @@ Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
 struct Decoder::State {
   explicit State(const Limits& l) : limits(l) {}
 
-  void feed(std::span<const std::byte> bytes);
+  void accept(std::span<const std::byte> bytes);
   bool advance();
   bool readHeader();
   bool decodeTorn(const LayerHead& head, std::span<const std::byte> bytes);
@@ -94,7 +94,7 @@ struct Decoder::State {
     if (!known) return Error::Truncated;
     return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None : Error::BadArgument;
   }
-  [[nodiscard]] bool complete() const { return header && at == info.bytes; }
+  [[nodiscard]] bool isFinal() const { return header && at == info.bytes; }
 
   Limits limits;
   std::vector<std::byte> in;
@@ -110,14 +110,14 @@ struct Decoder::State {
 };
 
 /// What nobody will look at is not kept.
-void Decoder::State::feed(std::span<const std::byte> bytes) {
+void Decoder::State::accept(std::span<const std::byte> bytes) {
   if (error != Error::None || finished) return;
   if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
   if (bytes.size() > limits.memory - in.size()) fail(Error::OverLimit);
   else in.insert(in.end(), bytes.begin(), bytes.end());
 }
 
-ISOSTAR_SELDOM bool Decoder::State::readHeader() {
+ISOSTAR_COLD bool Decoder::State::readHeader() {
   Header h;
   std::size_t used = 0;
   const Error e = read(in, h, used);
@@ -147,10 +147,10 @@ bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte
   return better;
 }
 
-ISOSTAR_SELDOM bool Decoder::State::advance() {
+ISOSTAR_COLD bool Decoder::State::advance() {
   if (error != Error::None || tornShown) return false;
   if (!header && !readHeader()) return false;
-  if (complete()) return false;
+  if (isFinal()) return false;
   LayerHead head;
   std::size_t used = 0;
   const std::span<const std::byte> rest = std::span<const std::byte>(in).subspan(at);
@@ -175,17 +175,17 @@ Decoder::~Decoder() = default;
 Decoder::Decoder(Decoder&&) noexcept = default;
 Decoder& Decoder::operator=(Decoder&&) noexcept = default;
 
-void Decoder::feed(std::span<const std::byte> bytes) { state_->feed(bytes); }
+void Decoder::accept(std::span<const std::byte> bytes) { state_->accept(bytes); }
 void Decoder::finish() { state_->finished = true; }
 bool Decoder::advance() { return state_->advance(); }
 Error Decoder::error() const { return state_->error; }
 bool Decoder::ready() const { return state_->known != nullptr; }
 const StreamInfo& Decoder::info() const { return state_->info; }
 int Decoder::level() const { return state_->known ? state_->known->level() : -1; }
-int Decoder::levels() const { return state_->header ? state_->header->octaves() + 1 : 0; }
+int Decoder::levels() const { return state_->header ? state_->header->finestLevel() + 1 : 0; }
 uint64_t Decoder::bytes() const { return state_->shown; }
 double Decoder::rmsError() const { return state_->rms; }
-bool Decoder::complete() const { return state_->complete(); }
+bool Decoder::isFinal() const { return state_->isFinal(); }
 
 Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   out = {};

@@ -15,22 +15,22 @@
 namespace isostar {
 
 template <int D>
-class ReconstructionIn : public Reconstruction {
+class UniformReconstruction : public Reconstruction {
  public:
-  ReconstructionIn(const Header& header, const Limits& limits) : header_(header), limits_(limits), known_(header) {}
+  UniformReconstruction(const Header& header, const Limits& limits) : header_(header), limits_(limits), known_(header) {}
 
-  ISOSTAR_SELDOM Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
+  ISOSTAR_COLD Outcome decode(const LayerHead& head, std::span<const std::byte> bytes, bool torn) override {
     constexpr std::size_t kTrimmed = 8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
     GeometryPass<D> pass;
     pass.kind = head.kind;
-    const bool geometry = head.kind >= LayerKind::Octaves && head.kind != LayerKind::Domain && head.kind != LayerKind::NearSigns;
+    const bool geometry = head.kind >= LayerKind::Exponents && head.kind != LayerKind::Domain && head.kind != LayerKind::FurtherSigns;
     if (torn && !showsTorn(head, bytes.size())) return {};
     if (geometry) {
       ByteReader fields(bytes);
-      if (head.kind == LayerKind::NearGeometry) {
+      if (head.kind == LayerKind::FurtherGeometry) {
         pass.kind = static_cast<LayerKind>(fields.u8());
-        if (!fields.overrun() && pass.kind != LayerKind::Octaves && pass.kind != LayerKind::Halving) return {Error::Corrupt};
+        if (!fields.overrun() && pass.kind != LayerKind::Exponents && pass.kind != LayerKind::Magnitudes) return {Error::Corrupt};
       }
       if (!pass.read(fields)) return {Error::Corrupt};
       if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
@@ -39,21 +39,21 @@ class ReconstructionIn : public Reconstruction {
     const Memory memory = memoryFor(head.kind, pass.kind);
     if (memory.needed > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(bytes);
-    BlindExchange<D> ask(coder, torn ? 0 : kTrimmed, left(memory.settled).memory);
-    if (head.kind == LayerKind::NearSigns) {
-      known_.nearSigns(ask, head.level);
-    } else if (head.kind == LayerKind::NearGeometry) {
-      known_.nearGeometry(ask, pass);
+    DecoderExchange<D> exchange(coder, torn ? 0 : kTrimmed, left(memory.settled).memory);
+    if (head.kind == LayerKind::FurtherSigns) {
+      known_.furtherSigns(exchange, head.level);
+    } else if (head.kind == LayerKind::FurtherGeometry) {
+      known_.furtherGeometry(exchange, pass);
     } else if (geometry) {
-      known_.geometry(ask, pass);
+      known_.geometry(exchange, pass);
     } else if (head.kind == LayerKind::Base) {
-      known_.base(ask);
+      known_.base(exchange);
     } else if (head.kind == LayerKind::Domain) {
-      known_.tellDomain(ask);
+      known_.codeDomain(exchange);
     } else {
-      known_.refine(ask);
+      known_.refine(exchange);
     }
-    const Error error = ask.overBudget() ? Error::OverLimit : !torn && ask.spent() ? Error::Corrupt : Error::None;
+    const Error error = exchange.overBudget() ? Error::OverLimit : !torn && exchange.exhausted() ? Error::Corrupt : Error::None;
     trims_ = trims_ || (head.kind == LayerKind::Domain && error == Error::None);
     torn_ = torn || error != Error::None;
     based_ = based_ || error == Error::None;
@@ -99,22 +99,22 @@ class ReconstructionIn : public Reconstruction {
  private:
   /// The base first, then each octave, displacements after any of them, then where the domain ends, then geometry on the finest; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
-    const int octaves = header_.octaves(), nearTold = static_cast<int>(known_.near.surfaces().size());
-    if (isNear(kind)) {
-      return based_ && known_.level == octaves && level >= 1 && level == nearTold + (kind == LayerKind::NearSigns ? 1 : 0);
+    const int finestLevel = header_.finestLevel(), furtherCoded = static_cast<int>(known_.further.surfaces().size());
+    if (isFurther(kind)) {
+      return based_ && known_.level == finestLevel && level >= 1 && level == furtherCoded + (kind == LayerKind::FurtherSigns ? 1 : 0);
     }
-    if (nearTold != 0) return false;
+    if (furtherCoded != 0) return false;
     if (!based_) return kind == LayerKind::Base && level == 0;
-    if (known_.level < octaves && kind == LayerKind::Displacement) return !known_.partial && level == known_.level;
-    if (known_.level < octaves) return kind == LayerKind::Refinement && level == known_.level + 1;
-    if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == octaves;
-    return (kind == LayerKind::Octaves || kind == LayerKind::Halving || kind == LayerKind::Displacement) && level == octaves;
+    if (known_.level < finestLevel && kind == LayerKind::Displacement) return !known_.partial && level == known_.level;
+    if (known_.level < finestLevel) return kind == LayerKind::Refinement && level == known_.level + 1;
+    if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == finestLevel;
+    return (kind == LayerKind::Exponents || kind == LayerKind::Magnitudes || kind == LayerKind::Displacement) && level == finestLevel;
   }
 
   /// Octaves, of vertices or of scalars, show in part if there is a quarter: where they meet what has not been told they are no better.
   [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
-    if (head.kind == LayerKind::Octaves || (head.kind == LayerKind::Refinement && !known_.partial)) return 4 * bytes >= head.bytes;
-    return head.kind == LayerKind::Halving || head.kind == LayerKind::Displacement || head.kind == LayerKind::NearGeometry;
+    if (head.kind == LayerKind::Exponents || (head.kind == LayerKind::Refinement && !known_.partial)) return 4 * bytes >= head.bytes;
+    return head.kind == LayerKind::Magnitudes || head.kind == LayerKind::Displacement || head.kind == LayerKind::FurtherGeometry;
   }
   /// Takes over an octave that has been told in part, if the limits allow it.
   bool showsUnfinished() {
@@ -132,10 +132,10 @@ class ReconstructionIn : public Reconstruction {
     uint64_t needed, settled;
   };
   [[nodiscard]] Memory memoryFor(LayerKind layer, LayerKind pass) const {
-    const uint64_t all = known_.memory() + known_.near.memory();
+    const uint64_t all = known_.memory() + known_.further.memory();
     if (layer == LayerKind::Refinement) return {known_.memoryToRefine(), known_.memoryBesideScalars()};
-    if (layer == LayerKind::NearSigns) return {all + known_.near.memoryToBegin(known_.first()), all - known_.near.memoryOfIntervals() + known_.signs.table().total()};
-    if (layer == LayerKind::NearGeometry) return {all + (pass == LayerKind::Octaves ? known_.near.memoryToTell() : 0), 0};
+    if (layer == LayerKind::FurtherSigns) return {all + known_.further.memoryToBegin(known_.first()), all - known_.further.memoryOfIntervals() + known_.signs.table().total()};
+    if (layer == LayerKind::FurtherGeometry) return {all + (pass == LayerKind::Exponents ? known_.further.memoryToCode() : 0), 0};
     if (layer == LayerKind::Displacement) return {known_.memoryForDisplacements(), known_.memory() - known_.displacements.memory() + known_.memoryToFindActive()};
     return {known_.memoryForScalars(), known_.memoryBesideScalars() + known_.memoryToFindActive()};
   }
@@ -145,7 +145,7 @@ class ReconstructionIn : public Reconstruction {
     const Signs<D>& signs;
     const std::vector<uint8_t>& active;
     const Scalars<D>& scalars;
-    const std::array<bool, 2>& told;
+    const std::array<bool, 2>& coded;
     Hints<D> hints;
     bool smooth = false;  // is only the octave of most magnitudes known?
   };
@@ -154,44 +154,44 @@ class ReconstructionIn : public Reconstruction {
   template <class Make>
   Error withSurface(const MeshOptions& options, Make make) const {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
-    const uint64_t held = known_.memory() + known_.near.memory();
-    if (const NearSurface<D>* near = known_.near.find(isovalue)) {
-      return withCompleted({near->signs, near->active, near->scalars, near->told, {known_.kernel}}, header_.at(isovalue), options, held, make);
+    const uint64_t held = known_.memory() + known_.further.memory();
+    if (const FurtherSurface<D>* near = known_.further.find(isovalue)) {
+      return withCompleted({near->signs, near->active, near->scalars, near->coded, {known_.filter}}, header_.at(isovalue), options, held, make);
     }
     if (known_.partial) return withPartial(held, make);
-    if (known_.scalars.places() == 0) return withEstimated(options, held, make);
-    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.told, known_.hints(), !known_.halved}, header_, options, held, make);
+    if (known_.scalars.tableSize() == 0) return withEstimated(options, held, make);
+    if (isovalue == header_.isovalue) return withCompleted({known_.signs, known_.active, known_.scalars, known_.coded, known_.hints(), !known_.magnitudesRefined}, header_, options, held, make);
     return withBetween(isovalue, options, held, make);
   }
 
   /// Of a mesh that has not all vertices yet.
   template <class Make>
   Error withPartial(uint64_t held, Make make) const {
-    const auto octave = known_.partial->shown(known_.partial->mesh.level(), left(held).memory);
-    if (!octave) return Error::OverLimit;
+    const auto adaptive = known_.partial->shown(known_.partial->mesh.level(), left(held).memory);
+    if (!adaptive) return Error::OverLimit;
     const double offset = 2 * header_.positiveOffset - 1;
-    return make(Surface<D>{octave->signs, octave->scalars, offset, offset, header_.placement}, held + octave->memory());
+    return make(Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement}, held + adaptive->memory());
   }
 
   /// Before any scalars have been told.
   template <class Make>
   Error withEstimated(const MeshOptions& options, uint64_t held, Make make) const {
-    const std::size_t places = known_.signs.table().total();
-    held += places + Scalars<D>::memoryOf(places, 0);
+    const std::size_t brickIndices = known_.signs.table().total();
+    held += brickIndices + Scalars<D>::memoryOf(brickIndices, 0);
     if (held > limits_.memory) return Error::OverLimit;
     const auto active = activeBricks(known_.signs);
-    return withCompleted({known_.signs, active, Scalars<D>(places), known_.told, known_.hints()}, header_, options, held, make);
+    return withCompleted({known_.signs, active, Scalars<D>(brickIndices), known_.coded, known_.hints()}, header_, options, held, make);
   }
 
   template <class Make>
   Error withBetween(double isovalue, const MeshOptions& options, uint64_t held, Make make) const {
-    if (held + Between<D>::memoryToMake(known_.near, known_.first(), isovalue) > limits_.memory) return Error::OverLimit;
-    const double quanta = (isovalue - header_.isovalue) / header_.quantum;
-    Between<D> between(known_.near, known_.first(), isovalue, quanta, header_.positiveOffset);
+    if (held + Between<D>::memoryToMake(known_.further, known_.first(), isovalue) > limits_.memory) return Error::OverLimit;
+    const double steps = (isovalue - header_.isovalue) / header_.quantizationStep;
+    Between<D> between(known_.further, known_.first(), isovalue, steps, header_.positiveOffset);
     held += between.memory();
     const uint64_t completed = memoryCompleted(between.scalars(), between.active());
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    estimateMissing(between.signs(), between.active(), options.polygonizer, between.finer(), between.scalars(), {known_.kernel});
+    estimateMissing(between.signs(), between.active(), options.polygonizer, between.finer(), between.scalars(), {known_.filter});
     return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement}, held + completed);
   }
 
@@ -201,7 +201,7 @@ class ReconstructionIn : public Reconstruction {
   template <class Make>
   Error withCompleted(const Known& known, const Header& header, const MeshOptions& options, uint64_t held, Make make) const {
     const double positive = 2 * header.positiveOffset - 1, negative = 2 * header.negativeOffset - 1;
-    if (!torn_ && !known.smooth && known.told[0] && (known.told[1] || options.polygonizer == Polygonizer::Cubes)) {
+    if (!torn_ && !known.smooth && known.coded[0] && (known.coded[1] || options.polygonizer == Polygonizer::Cubes)) {
       return make(Surface<D>{known.signs, known.scalars, positive, negative, header_.placement, domain()}, held);
     }
     const uint64_t completed = memoryCompleted(known.scalars, known.active);
@@ -214,13 +214,13 @@ class ReconstructionIn : public Reconstruction {
   /// Of scalars with estimates in all active bricks; while they are made, those before are kept, too.
   [[nodiscard]] static uint64_t memoryCompleted(const Scalars<D>& scalars, const std::vector<uint8_t>& active) {
     uint64_t bricks = 0;
-    for (std::size_t place = 0; place < active.size(); ++place) bricks += active[place] != 0 || scalars.has(place) ? 1 : 0;
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) bricks += active[brickIndex] != 0 || scalars.has(brickIndex) ? 1 : 0;
     return Scalars<D>::memoryOf(active.size(), bricks);
   }
 
   const Header& header_;
   const Limits limits_;
-  Knowledge<D> known_;
+  CodecState<D> known_;
   bool based_ = false, trims_ = false, torn_ = false;
 };
 

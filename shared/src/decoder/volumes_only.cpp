@@ -8,7 +8,7 @@ namespace isostar {
 std::unique_ptr<Reconstruction> reconstructionOf(const Header& header, const Limits& limits) {
   if (header.dimension != 3) return nullptr;
   if (header.adaptive) return std::make_unique<AdaptiveReconstruction<3>>(header, limits);
-  return std::make_unique<ReconstructionIn<3>>(header, limits);
+  return std::make_unique<UniformReconstruction<3>>(header, limits);
 }
 
 }  // namespace isostar

@@ -12,8 +12,8 @@ namespace {
 /// How far a crossing may move along an edge for a distance in grid steps along the smallest spacing; edges along
 /// several axes only count for tetrahedra.
 template <int D>
-typename HalvingCoder<D>::Allowed allowed(const Header& header, double distance) {
-  typename HalvingCoder<D>::Allowed result{};
+typename MagnitudeCoder<D>::Allowed allowed(const Header& header, double distance) {
+  typename MagnitudeCoder<D>::Allowed result{};
   for (unsigned axes = 1; axes < result.size(); ++axes) {
     if (header.polygonizer == Polygonizer::Cubes && !std::has_single_bit(axes)) continue;
     result[axes] = static_cast<uint32_t>(std::clamp(65536 * distance / edgeLength(header.placement, axes), 0.0, 65536.0));
@@ -25,7 +25,7 @@ typename HalvingCoder<D>::Allowed allowed(const Header& header, double distance)
 
 /// One pass, for all scalars that the stream's polygonizer needs.
 template <int D>
-void tellPass(LayerWriter<D>& layers, const Header& header, GeometryPass<D> pass) {
+void codePass(UniformWriter<D>& layers, const Header& header, GeometryPass<D> pass) {
   layers.geometry(pass);
   if (header.polygonizer == Polygonizer::Cubes) return;
   pass.members = Members::DiagonalEnds;
@@ -33,33 +33,33 @@ void tellPass(LayerWriter<D>& layers, const Header& header, GeometryPass<D> pass
 }
 
 template <int D>
-GeometryPass<D> halving(const Header& header, double distance) {
-  return {LayerKind::Halving, Members::AxisEnds, 0, allowed<D>(header, distance), 30, false};
+GeometryPass<D> magnitudePass(const Header& header, double distance) {
+  return {LayerKind::Magnitudes, Members::AxisEnds, 0, allowed<D>(header, distance), 30, false};
 }
 
 /// Octaves, then halvings to half the distance each, until the bound holds.
 template <int D>
-void tellGeometry(LayerWriter<D>& layers, const Header& header) {
+void codeGeometry(UniformWriter<D>& layers, const Header& header) {
   constexpr double kCoarsest = 0.1;  // octaves alone are nearly as good
   constexpr double kFinestOfLossless = 0.025;
   constexpr double kFinest = 1e-6;  // all is told
   const double bound = header.lossless ? 0 : std::max(double{header.maxError}, kFinest);
-  tellPass<D>(layers, header, {LayerKind::Octaves, Members::AxisEnds, bound > 0.3 ? 1 : bound > 0.15 ? 2 : 3, {}, 0, false});
+  codePass<D>(layers, header, {LayerKind::Exponents, Members::AxisEnds, bound > 0.3 ? 1 : bound > 0.15 ? 2 : 3, {}, 0, false});
   double distance = header.lossless ? kFinestOfLossless : bound;
   while (distance * 2 < kCoarsest) distance *= 2;
   for (; distance > (header.lossless ? kFinestOfLossless * 0.9 : bound * 1.1); distance /= header.lossless ? 4 : 2) {
-    tellPass(layers, header, halving<D>(header, distance));
+    codePass(layers, header, magnitudePass<D>(header, distance));
   }
-  tellPass(layers, header, halving<D>(header, bound));
+  codePass(layers, header, magnitudePass<D>(header, bound));
   if (header.lossless) return;
   // What moves a crossing is judged to first order. Where that was not enough, the bricks concerned go further.
   for (distance = bound / 2; distance > bound / 64; distance /= 2) {
-    auto places = layers.beyond(bound);
-    if (places.empty()) return;
-    layers.select(std::move(places));
-    GeometryPass<D> repair = halving<D>(header, distance);
+    auto brickIndices = layers.beyond(bound);
+    if (brickIndices.empty()) return;
+    layers.select(std::move(brickIndices));
+    GeometryPass<D> repair = magnitudePass<D>(header, distance);
     repair.selective = true;
-    tellPass(layers, header, repair);
+    codePass(layers, header, repair);
   }
 }
 
@@ -67,54 +67,54 @@ constexpr uint64_t kFewestDisplaced = 1000;  // vertices: below that a layer's h
 
 /// Does a pass leave at most such a share of the error?
 template <int D>
-bool pays(const DisplacementPlan<D>& plan, const Displacements<D>& told, const typename DisplacementPlan<D>::Next& next, const DisplacementPass& pass, double share) {
-  return plan.error(plan.reached(told, next.steps, pass)) <= share * next.error;
+bool pays(const DisplacementPlan<D>& plan, const Displacements<D>& coded, const typename DisplacementPlan<D>::Next& next, const DisplacementPass& pass, double share) {
+  return plan.error(plan.reached(coded, next.steps, pass)) <= share * next.error;
 }
 
 /// One pass on the octave before the finest, where it pays: the finer octave's signs tell most of it again.
 template <int D>
-void tellCoarseDisplacements(LayerWriter<D>& layers) {
+void codeCoarseDisplacements(UniformWriter<D>& layers) {
   constexpr DisplacementPass kPass{2, 12};
-  constexpr double kPays = 0.87;  // so much of the error is left
+  constexpr double kWorthItsBytes = 0.87;  // so much of the error is left
   const DisplacementPlan<D> plan = layers.displacementPlan();
   auto next = plan.next(layers.displacements(), kPass);
-  if (pays(plan, layers.displacements(), next, kPass, kPays)) layers.displace(kPass, std::move(next.steps));
+  if (pays(plan, layers.displacements(), next, kPass, kWorthItsBytes)) layers.displace(kPass, std::move(next.steps));
 }
 
 /// Displacements come before scalars, of cubes of 4 vertices, then of 2, and once more of half the step where that pays: scalars tell
 /// them nearly as well later, and smooth surfaces gain most.
 template <int D>
-void tellDisplacements(LayerWriter<D>& layers) {
+void codeDisplacements(UniformWriter<D>& layers) {
   constexpr std::array<DisplacementPass, 3> kPasses{{{2, 12}, {1, 12}, {1, 6}}};
-  constexpr double kNear = 0.09, kPays = 0.835;  // grid steps before the last pass, and so much of that is left
+  constexpr double kNear = 0.09, kWorthItsBytes = 0.835;  // grid steps before the last pass, and so much of that is left
   const DisplacementPlan<D> plan = layers.displacementPlan();
   for (const DisplacementPass& pass : kPasses) {
     auto next = plan.next(layers.displacements(), pass);
-    if (&pass == &kPasses.back() && (next.error > kNear || !pays(plan, layers.displacements(), next, pass, kPays))) return;
+    if (&pass == &kPasses.back() && (next.error > kNear || !pays(plan, layers.displacements(), next, pass, kWorthItsBytes))) return;
     layers.displace(pass, std::move(next.steps));
   }
 }
 
 /// Further isovalues in the order in which they are told: the one nearest to one told before comes next.
 std::vector<double> byNearness(double first, std::vector<double> others) {
-  std::vector<double> told{first};
+  std::vector<double> coded{first};
   const auto distance = [&](double value) {
     double least = std::abs(value - first);
-    for (const double t : told) least = std::min(least, std::abs(value - t));
+    for (const double t : coded) least = std::min(least, std::abs(value - t));
     return least;
   };
   while (!others.empty()) {
     const auto next = std::min_element(others.begin(), others.end(), [&](double a, double b) { return distance(a) < distance(b); });
-    told.push_back(*next);
+    coded.push_back(*next);
     others.erase(next);
   }
-  told.erase(told.begin());
-  return told;
+  coded.erase(coded.begin());
+  return coded;
 }
 
 /// All isovalues are finite, and no two are the same.
 bool distinct(const EncodeOptions& options) {
-  std::vector<double> all = options.near;
+  std::vector<double> all = options.furtherIsovalues;
   all.push_back(options.isovalue);
   if (!std::all_of(all.begin(), all.end(), [](double v) { return std::isfinite(v); })) return false;
   std::sort(all.begin(), all.end());
@@ -140,13 +140,13 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   if (options.effort < 1 || options.effort > EncodeOptions::kMostEffort) return Error::BadArgument;
   const bool bounded = options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
   if (options.preserveTopology && D != 3) return Error::BadArgument;
-  if (options.adaptive && (options.lossless || D == 4 || !options.near.empty())) return Error::BadArgument;
+  if (options.adaptive && (options.lossless || D == 4 || !options.furtherIsovalues.empty())) return Error::BadArgument;
   if (!bounded || !invertible(header.placement) || !sensible<D>(samples, size, options.isovalue)) return Error::BadArgument;
-  if (options.near.size() > Header::kMostNear || !distinct(options)) return Error::BadArgument;
+  if (options.furtherIsovalues.size() > Header::kMostFurther || !distinct(options)) return Error::BadArgument;
   header.trimmed = !domain.empty();
-  if (header.trimmed && (!sensible<D>(domain, size, 0) || options.preserveTopology || !options.near.empty())) return Error::BadArgument;
+  if (header.trimmed && (!sensible<D>(domain, size, 0) || options.preserveTopology || !options.furtherIsovalues.empty())) return Error::BadArgument;
   header.isovalue = options.isovalue;
-  header.near = byNearness(options.isovalue, options.near);
+  header.furtherIsovalues = byNearness(options.isovalue, options.furtherIsovalues);
   header.polygonizer = options.polygonizer;
   header.lossless = options.lossless;
   header.keepsTopology = options.preserveTopology;
@@ -154,7 +154,7 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   header.maxError = options.lossless ? 0 : std::clamp(options.maxError, 1e-9, 1e9);
   std::deque<Source<D>> sources;
   sources.emplace_back(samples, size, options.isovalue);
-  for (const double isovalue : header.near) sources.emplace_back(samples, size, isovalue);
+  for (const double isovalue : header.furtherIsovalues) sources.emplace_back(samples, size, isovalue);
   Precision precision;
   for (const Source<D>& source : sources) precision.add(source.precision(header.polygonizer), source.isovalue() - header.isovalue);
   precision.fix(header);
@@ -170,19 +170,19 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
       if (!encodeAdaptive(sources.front().field(), options, sources.front().signs(), adaptiveHeader, adaptive)) adaptive.clear();
     }
   }
-  LayerWriter<D> layers(header, options, sources.front());
+  UniformWriter<D> layers(header, options, sources.front());
   const bool displaces = D > 2 && header.vertices >= kFewestDisplaced;  // a block of an image has as many vertices as edges
   layers.signs([&](int level) {
-    if (displaces && level + 1 == header.octaves()) tellCoarseDisplacements(layers);
+    if (displaces && level + 1 == header.finestLevel()) codeCoarseDisplacements(layers);
   });
   if (header.trimmed && header.vertices != 0) layers.domain();
   if (header.vertices != 0) {
-    if (displaces) tellDisplacements(layers);
-    tellGeometry(layers, header);
+    if (displaces) codeDisplacements(layers);
+    codeGeometry(layers, header);
   }
   for (std::size_t i = 1; i < sources.size(); ++i) {
-    layers.nearSigns(static_cast<int>(i), sources[i]);
-    if (sources[i].crossings() != 0) tellGeometry(layers, header);
+    layers.furtherSigns(static_cast<int>(i), sources[i]);
+    if (sources[i].crossings() != 0) codeGeometry(layers, header);
   }
   // Where coarse simplices do not pay, there are none.
   if (!adaptive.empty() && adaptive.size() < layers.bytes().size()) return put(adaptiveHeader, adaptive, options, out);

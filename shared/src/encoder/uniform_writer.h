@@ -14,16 +14,16 @@ namespace isostar {
 
 /// Tells layers one after the other.
 template <int D>
-class LayerWriter {
+class UniformWriter {
  public:
-  LayerWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
-      : options_(options), octaves_(header.octaves()), source_(&first), known_(header) {}
+  UniformWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
+      : options_(options), finestLevel_(header.finestLevel()), source_(&first), known_(header) {}
 
   /// The signs of all octaves; after(level) may tell more of each but those of streams of one topology.
   template <class After>
   void signs(After after) {
     const Signs<D>& finest = source_->signs();
-    std::vector<Signs<D>> coarse(static_cast<std::size_t>(octaves_));
+    std::vector<Signs<D>> coarse(static_cast<std::size_t>(finestLevel_));
     for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
     std::vector<Signs<D>> whole;
     if constexpr (D == 3) {
@@ -32,39 +32,39 @@ class LayerWriter {
         whole = wholeCells(known_.header, coarse);
       }
     }
-    const Kernel kernel = finestKernel();
-    for (int level = 0; level <= octaves_; ++level) {
-      const Signs<D>& truth = level < octaves_ ? coarse[static_cast<std::size_t>(level)] : finest;
-      tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
-        ask.follow(coarse, whole);
-        ask.see(kernelOf(level, kernel));
-        if (level == 0) known_.base(ask);
-        else known_.refine(ask);
+    const SmoothingFilter filter = finestFilter();
+    for (int level = 0; level <= finestLevel_; ++level) {
+      const Signs<D>& actual = level < finestLevel_ ? coarse[static_cast<std::size_t>(level)] : finest;
+      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual, [&](auto& exchange) {
+        exchange.follow(coarse, whole);
+        exchange.see(filterOf(level, filter));
+        if (level == 0) known_.base(exchange);
+        else known_.refine(exchange);
       });
       if (!known_.partial) after(level);
-      if (options_.progress) options_.progress(0.5 * (level + 1) / (octaves_ + 1));
+      if (options_.progress) options_.progress(0.5 * (level + 1) / (finestLevel_ + 1));
     }
   }
 
   void domain() {
-    tell({LayerKind::Domain, octaves_, 0, 0, 0}, source_->signs(), [&](auto& ask) { known_.tellDomain(ask); });
+    code({LayerKind::Domain, finestLevel_, 0, 0, 0}, source_->signs(), [&](auto& exchange) { known_.codeDomain(exchange); });
   }
 
   /// The signs of a further isovalue; passes are its from now on.
-  void nearSigns(int number, Source<D>& source) {
+  void furtherSigns(int number, Source<D>& source) {
     number_ = number;
     source_ = &source;
-    tell({LayerKind::NearSigns, number, 0, 0, 0}, source.signs(), [&](auto& ask) { known_.nearSigns(ask, number); });
+    code({LayerKind::FurtherSigns, number, 0, 0, 0}, source.signs(), [&](auto& exchange) { known_.furtherSigns(exchange, number); });
   }
 
   void geometry(const GeometryPass<D>& pass) {
-    source_->quantized().aim(number_ == 0 && settles(pass));
-    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::NearGeometry, number_ == 0 ? known_.level : number_, 0, 0, 0};
-    tell(
+    source_->quantized().target(number_ == 0 && settles(pass));
+    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::FurtherGeometry, number_ == 0 ? known_.level : number_, 0, 0, 0};
+    code(
         head, source_->signs(),
-        [&](auto& ask) {
-          if (number_ == 0) known_.geometry(ask, pass);
-          else known_.nearGeometry(ask, pass);
+        [&](auto& exchange) {
+          if (number_ == 0) known_.geometry(exchange, pass);
+          else known_.furtherGeometry(exchange, pass);
         },
         &pass);
   }
@@ -72,10 +72,10 @@ class LayerWriter {
   /// The bricks where a vertex of the surface is off by more than the bound, by place; none if there are none.
   [[nodiscard]] std::vector<uint8_t> beyond(double bound) const {
     if (number_ == 0) return source_->distance().beyond(bound, known_.signs, known_.scalars, known_.active);
-    const NearSurface<D>& last = known_.near.surfaces().back();
+    const FurtherSurface<D>& last = known_.further.surfaces().back();
     return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
   }
-  void select(std::vector<uint8_t> places) { source_->quantized().select(std::move(places)); }
+  void select(std::vector<uint8_t> brickIndices) { source_->quantized().select(std::move(brickIndices)); }
 
   /// Displacements as planned; `steps`: of a pass.
   void displace(const DisplacementPass& pass, Displacements<D> steps) {
@@ -88,16 +88,16 @@ class LayerWriter {
   /// Of the octave told last.
   [[nodiscard]] DisplacementPlan<D> displacementPlan() {
     if (known_.active.empty()) known_.findActive();
-    return DisplacementPlan<D>(source_->field(), known_.signs, known_.active, known_.kernel);
+    return DisplacementPlan<D>(source_->field(), known_.signs, known_.active, known_.filter);
   }
   [[nodiscard]] const Displacements<D>& displacements() const { return known_.displacements; }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
-  template <class Tell>
-  void tell(LayerHead head, const Signs<D>& truth, Tell what, const GeometryPass<D>* pass = nullptr) {
-    layers_.add(head, pass, truth, source_->quantized(), what, [&] { return rms(); });
+  template <class Code>
+  void code(LayerHead head, const Signs<D>& actual, Code what, const GeometryPass<D>* pass = nullptr) {
+    layers_.add(head, pass, actual, source_->quantized(), what, [&] { return rms(); });
   }
 
   /// May a pass tell what is nearly true? Not where it repairs or a later one narrows all its intervals or a further isovalue's signs
@@ -105,7 +105,7 @@ class LayerWriter {
   [[nodiscard]] bool settles(const GeometryPass<D>& pass) const {
     constexpr double kLoosest = 0.15;
     const Header& header = known_.header;
-    if (pass.kind != LayerKind::Halving || pass.selective || header.lossless || header.polygonizer != Polygonizer::Cubes || !header.near.empty()) return false;
+    if (pass.kind != LayerKind::Magnitudes || pass.selective || header.lossless || header.polygonizer != Polygonizer::Cubes || !header.furtherIsovalues.empty()) return false;
     if (header.maxError > kLoosest) return false;
     for (unsigned a = 0; a < D; ++a) {
       const uint32_t allowed = pass.allowed[1u << a];
@@ -115,44 +115,44 @@ class LayerWriter {
   }
 
   /// The kernel that places the finest octave's surface best.
-  [[nodiscard]] Kernel finestKernel() const {
-    Kernel best = Kernel::Narrow;
+  [[nodiscard]] SmoothingFilter finestFilter() const {
+    SmoothingFilter best = SmoothingFilter::Narrow;
     double least = std::numeric_limits<double>::infinity();
-    for (const Kernel kernel : {Kernel::Narrow, Kernel::Middle, Kernel::Wide}) {
-      const double error = source_->distance().rms(source_->signs(), {}, {kernel});
-      if (error < least) best = kernel, least = error;
+    for (const SmoothingFilter filter : {SmoothingFilter::Narrow, SmoothingFilter::Middle, SmoothingFilter::Wide}) {
+      const double error = source_->distance().rms(source_->signs(), {}, {filter});
+      if (error < least) best = filter, least = error;
     }
     return best;
   }
   /// That of another octave: coarser ones are less smooth.
-  [[nodiscard]] Kernel kernelOf(int level, Kernel finest) const {
-    if (level == octaves_) return finest;
-    return level == octaves_ - 1 && finest == Kernel::Wide ? Kernel::Middle : Kernel::Narrow;
+  [[nodiscard]] SmoothingFilter filterOf(int level, SmoothingFilter finest) const {
+    if (level == finestLevel_) return finest;
+    return level == finestLevel_ - 1 && finest == SmoothingFilter::Wide ? SmoothingFilter::Middle : SmoothingFilter::Narrow;
   }
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (known_.partial) return distance.rms(known_.partial->shown(octaves_)->signs, {known_.partial->kernel});
-    if (known_.level < octaves_) return distance.rms(known_.signs, known_.hints());
-    if (number_ == 0 && !known_.halved && known_.scalars.places() != 0) {
+    if (known_.partial) return distance.rms(known_.partial->shown(finestLevel_)->signs, {known_.partial->filter});
+    if (known_.level < finestLevel_) return distance.rms(known_.signs, known_.hints());
+    if (number_ == 0 && !known_.magnitudesRefined && known_.scalars.tableSize() != 0) {
       Scalars<D> shown = known_.scalars;
       const int finer = shown.magnify();
-      Smoothing<D>::apply(known_.signs.table(), known_.scalars, finer, shown, distance.places());
+      Dequantization<D>::apply(known_.signs.table(), known_.scalars, finer, shown, distance.tableSize());
       return distance.rms(known_.signs, shown, known_.hints(), finer);
     }
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());
-    const NearSurface<D>& last = known_.near.surfaces().back();
-    if (last.told[0]) return distance.rms(last.signs, last.scalars);
+    const FurtherSurface<D>& last = known_.further.surfaces().back();
+    if (last.coded[0]) return distance.rms(last.signs, last.scalars);
     Scalars<D> estimated = last.scalars;
-    estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated, {known_.kernel});
+    estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated, {known_.filter});
     return distance.rms(last.signs, estimated);
   }
 
   const EncodeOptions& options_;
-  const int octaves_;
+  const int finestLevel_;
   int number_ = 0;  // of the isovalue in work
   Source<D>* source_;
-  Knowledge<D> known_;
+  CodecState<D> known_;
   LayerBytes layers_;
 };
 

@@ -19,7 +19,7 @@ class Logistic {
   [[nodiscard]] static uint32_t squash(int logOdds) {
     return tables().squash[static_cast<std::size_t>(std::clamp(logOdds, -kBound, kBound) + kBound)];
   }
-  [[nodiscard]] static int stretch(uint32_t chance) { return tables().stretch[chance >> 4]; }
+  [[nodiscard]] static int stretch(uint32_t probability) { return tables().stretch[probability >> 4]; }
 
  private:
   struct Tables {
@@ -38,7 +38,7 @@ class Logistic {
         const uint32_t a = kKnots[static_cast<std::size_t>(at >> 7)], b = kKnots[static_cast<std::size_t>((at >> 7) + 1)];
         const uint32_t value = a + ((b - a) * static_cast<uint32_t>(at & 127) + 64) / 128;
         squash[static_cast<std::size_t>(x + kBound)] =
-            static_cast<uint16_t>(std::clamp(value, kLeastChance, kChanceOne - kLeastChance));
+            static_cast<uint16_t>(std::clamp(value, kLeastProbability, kProbabilityOne - kLeastProbability));
       }
       int x = -kBound;
       for (uint32_t i = 0; i < 4096; ++i) {
@@ -55,20 +55,20 @@ inline const Logistic::Tables Logistic::kTables;
 
 /// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first decisions, never by less than
 /// 1/limit. No tables, so that several of them learn side by side.
-class Chance {
+class BitModel {
  public:
-  [[nodiscard]] uint32_t value() const { return std::clamp(state_ >> 16, kLeastChance, kChanceOne - kLeastChance); }
+  [[nodiscard]] uint32_t value() const { return std::clamp(state_ >> 16, kLeastProbability, kProbabilityOne - kLeastProbability); }
 
   template <class Coder>
-  bool bit(Coder& coder, bool truth) {
-    const bool value = coder.bit(truth, this->value());
+  bool bit(Coder& coder, bool actual) {
+    const bool value = coder.bit(actual, this->value());
     learn<127>(value);
     return value;
   }
 
   template <int Limit>
-  void learn(bool truth) {
-    state_ = static_cast<uint32_t>(learned<Limit>(static_cast<int32_t>(state_), truth));
+  void learn(bool actual) {
+    state_ = static_cast<uint32_t>(learned<Limit>(static_cast<int32_t>(state_), actual));
   }
 
  private:
@@ -80,11 +80,11 @@ class Chance {
 
   /// The state, or a vector of states, after a decision.
   template <int Limit, class State>
-  static State learned(State state, bool truth) {
+  static State learned(State state, bool actual) {
     constexpr int32_t kLeastRate = (1 << (kRateBits + 1)) / (2 * Limit + 3);
     const State rate = state & ((1 << kRateBits) - 1);
     const State p = (state >> kRateBits) & ((1 << 18) - 1);
-    const State gap = (truth ? (1 << 18) - 1 : 0) - p;
+    const State gap = (actual ? (1 << 18) - 1 : 0) - p;
     const State moved = p + (((gap >> 1) * rate + (1 << (kRateBits - 2))) >> (kRateBits - 1));
     // 1/(n + 1) is nearly 1/n - 3/4 of its square.
     const State slower = rate - ((rate * rate * 3 + (1 << (kRateBits + 1))) >> (kRateBits + 2));
@@ -101,13 +101,13 @@ class Mixer {
   static_assert(N <= 4);
 
   using Weights = std::array<int32_t, 4>;  // 1/16384, within [-8, 8]
-  [[nodiscard]] static Weights fresh() {
+  [[nodiscard]] static Weights initialWeights() {
     Weights w{};
     std::fill_n(w.begin(), N, kOne * 10 / (N * 8));
     return w;
   }
   /// Where there is an estimate, too: it is trusted while contexts have learned nothing.
-  [[nodiscard]] static Weights freshWithEstimate() {
+  [[nodiscard]] static Weights initialWeightsWithEstimate() {
     static_assert(N < 4);
     Weights w{};
     std::fill_n(w.begin(), N, kOne / N);
@@ -118,20 +118,20 @@ class Mixer {
   /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits. Beside
   /// fewer than four contexts there may be an estimate that does not learn, in log-odds; it has the next weight.
   template <int Limit, int Rate, class Coder>
-  static bool bit(Coder& coder, bool truth, const std::array<Chance*, N>& contexts, Weights& weights, int32_t estimate = 0) {
+  static bool bit(Coder& coder, bool actual, const std::array<BitModel*, N>& contexts, Weights& weights, int32_t estimate = 0) {
     const auto state = [&](int i) { return i < N ? contexts[static_cast<std::size_t>(i % N)]->state_ : 0; };
     const std::array<uint32_t, 4> states{state(0), state(1), state(2), state(3)};
     const auto logOdds = [&](int i) { return i < N ? Logistic::stretch(states[static_cast<std::size_t>(i)] >> 16) : std::clamp(estimate, -Logistic::kBound, Logistic::kBound); };
     const int32_t a = logOdds(0), b = logOdds(1), c = logOdds(2), d = logOdds(3);
-    const uint32_t chance = Logistic::squash((weights[0] * a + weights[1] * b + (weights[2] * c + weights[3] * d)) >> 14);
-    const bool value = coder.bit(truth, chance);
-    const int32_t error = (static_cast<int32_t>(value ? kChanceOne : 0) - static_cast<int32_t>(chance)) >> 2;
+    const uint32_t probability = Logistic::squash((weights[0] * a + weights[1] * b + (weights[2] * c + weights[3] * d)) >> 14);
+    const bool value = coder.bit(actual, probability);
+    const int32_t error = (static_cast<int32_t>(value ? kProbabilityOne : 0) - static_cast<int32_t>(probability)) >> 2;
     Lanes trust = lanesAt(weights.data());
     trust += (Lanes{a, b, c, d} * error + (1 << (Rate + 1))) >> (Rate + 2);
     trust = clamped(trust, 8 * kOne);
     std::memcpy(weights.data(), &trust, sizeof trust);
     const Lanes known{static_cast<int32_t>(states[0]), static_cast<int32_t>(states[1]), static_cast<int32_t>(states[2]), static_cast<int32_t>(states[3])};
-    const Lanes learned = Chance::learned<Limit>(known, value);
+    const Lanes learned = BitModel::learned<Limit>(known, value);
     for (int i = 0; i < N; ++i) contexts[static_cast<std::size_t>(i)]->state_ = static_cast<uint32_t>(learned[i]);
     return value;
   }

@@ -11,17 +11,17 @@
 namespace isostar {
 
 /// Probabilities are those of `true`, in 1/65536, within [kLeastChance, 65536 - kLeastChance].
-inline constexpr uint32_t kChanceOne = 1u << 16;
-inline constexpr uint32_t kLeastChance = 24;
+inline constexpr uint32_t kProbabilityOne = 1u << 16;
+inline constexpr uint32_t kLeastProbability = 24;
 
 /// Writes decisions; bit() returns the truth it was given.
 class RangeEncoder {
  public:
   explicit RangeEncoder(std::vector<std::byte>& out) : out_(out) {}
 
-  bool bit(bool truth, uint32_t chance) {
-    const uint32_t split = (range_ >> 16) * chance;
-    if (truth) {
+  bool bit(bool actual, uint32_t probability) {
+    const uint32_t split = (range_ >> 16) * probability;
+    if (actual) {
       range_ = split;
     } else {
       low_ += split;
@@ -31,7 +31,7 @@ class RangeEncoder {
       shiftLow();
       range_ <<= 8;
     }
-    return truth;
+    return actual;
   }
 
   /// Ends the run. Up to four zero bytes at its end are left out: the decoder reads zeros past the end.
@@ -82,8 +82,8 @@ class RangeDecoder {
     for (int i = 0; i < 4; ++i) code_ = code_ << 8 | byte();
   }
 
-  bool bit(bool /*truth*/, uint32_t chance) {
-    const uint32_t split = (range_ >> 16) * chance;
+  bool bit(bool /*truth*/, uint32_t probability) {
+    const uint32_t split = (range_ >> 16) * probability;
     const bool value = code_ < split;
     // Masks instead of a branch: a good model leaves nothing that could be predicted.
     const uint32_t upper = value ? 0 : ~0u;
@@ -116,9 +116,9 @@ class RangeDecoder {
 /// Writes nothing; adds up what the decisions would cost.
 class Meter {
  public:
-  bool bit(bool truth, uint32_t chance) {
-    bits_ -= std::log2((truth ? chance : kChanceOne - chance) / double(kChanceOne));
-    return truth;
+  bool bit(bool actual, uint32_t probability) {
+    bits_ -= std::log2((actual ? probability : kProbabilityOne - probability) / double(kProbabilityOne));
+    return actual;
   }
   [[nodiscard]] double bits() const { return bits_; }
 

@@ -22,17 +22,17 @@ template <int D>
   const Scalars<D> known = scalars;
   Tube<D> tube;
   ScalarWindow<D> window;
-  ShapeEstimate<D> shapes(hints.kernel);
+  ShapeEstimate<D> shapes(hints.filter);
   DisplacementWindow<D> displaced;
   int gradient = kPlainGradient;
-  for (std::size_t place = 0; place < active.size(); ++place) {
-    if (active[place] == 0) continue;
-    tube.enter(signs, place, members);
+  for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+    if (active[brickIndex] == 0) continue;
+    tube.enter(signs, brickIndex, members);
     if (tube.empty()) continue;
-    if (known.hasGradient(place)) gradient = known.gradient(place);
+    if (known.hasGradient(brickIndex)) gradient = known.gradient(brickIndex);
     window.load(known, tube.table(), tube.at());
     shapes.load(tube.window());
-    auto& brick = scalars.writable(place);
+    auto& brick = scalars.writable(brickIndex);
     const SizeUnit unit(gradient + 4 * finer);
     if (hints.displaced()) {
       displaced.load(*hints.displacements, tube.table(), tube.at());
@@ -54,7 +54,7 @@ template <int D>
 
 /// The same for every vertex that a polygonizer needs.
 template <int D>
-ISOSTAR_SELDOM void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Polygonizer polygonizer, int finer, Scalars<D>& scalars, const Hints<D>& hints) {
+ISOSTAR_COLD void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active, Polygonizer polygonizer, int finer, Scalars<D>& scalars, const Hints<D>& hints) {
   estimateMissing(signs, active, Members::AxisEnds, finer, scalars, hints);
   if (polygonizer == Polygonizer::Tetrahedra) estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
 }
@@ -67,7 +67,7 @@ struct Completed {
 
   Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known, Polygonizer polygonizer, const Hints<D>& hints, bool smooth)
       : scalars(known), finer(scalars.magnify()) {
-    if (smooth) Smoothing<D>::apply(signs.table(), known, finer, scalars);
+    if (smooth) Dequantization<D>::apply(signs.table(), known, finer, scalars);
     estimateMissing(signs, active, polygonizer, finer, scalars, hints);
   }
 };

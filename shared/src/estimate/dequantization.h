@@ -12,13 +12,13 @@ namespace isostar {
 /// Moves the told scalars of `shown`, which count 2^-finer half quanta, towards what a fit says of each, within their intervals. How
 /// far the fits of a brick lie from what has been told says how much they are worth there: where the field is rough, nothing.
 template <int D>
-class Smoothing {
+class Dequantization {
  public:
   /// `only`: the bricks that matter, by place; all if there are none.
-  ISOSTAR_SELDOM static void apply(const BrickTable<D>& table, const Scalars<D>& told, int finer, Scalars<D>& shown, std::span<const uint8_t> only = {}) {
-    Smoothing smoothing;
-    for (std::size_t place = 0; place < told.places(); ++place) {
-      if (told.has(place) && (only.empty() || only[place] != 0)) smoothing.brick(table, told, place, finer, shown);
+  ISOSTAR_COLD static void apply(const BrickTable<D>& table, const Scalars<D>& coded, int finer, Scalars<D>& shown, std::span<const uint8_t> only = {}) {
+    Dequantization smoothing;
+    for (std::size_t brickIndex = 0; brickIndex < coded.tableSize(); ++brickIndex) {
+      if (coded.has(brickIndex) && (only.empty() || only[brickIndex] != 0)) smoothing.brick(table, coded, brickIndex, finer, shown);
     }
   }
 
@@ -28,15 +28,15 @@ class Smoothing {
   static constexpr int64_t kInner = 11;    // sixteenths of half an interval: as far as a scalar is moved
   static constexpr int kGainBits = 12;
 
-  void brick(const BrickTable<D>& table, const Scalars<D>& told, std::size_t place, int finer, Scalars<D>& shown) {
-    const auto& intervals = told.at(place);
-    if (halved(intervals)) return;
-    window_.load(told, table, table.brick(place));
-    fits_.load(window_, told.gradient(place));
+  void brick(const BrickTable<D>& table, const Scalars<D>& coded, std::size_t brickIndex, int finer, Scalars<D>& shown) {
+    const auto& intervals = coded.at(brickIndex);
+    if (refined(intervals)) return;
+    window_.load(coded, table, table.brick(brickIndex));
+    fits_.load(window_, coded.gradient(brickIndex));
     find(intervals);
     if (count_ == 0) return;
     const Gains gains = findGains();
-    auto& values = shown.writable(place).value;
+    auto& values = shown.writable(brickIndex).value;
     for (std::size_t i = 0; i < count_; ++i) {
       const Move& move = moves_[i];
       const int64_t most = (int64_t{kInner} << move.log2Half) / 16;
@@ -67,7 +67,7 @@ class Smoothing {
   }
 
   /// Has a pass that ends within come so far? Where it has, what it told is shown as it is: octaves are [0, 2^n) and [2^n, 2^(n + 1)).
-  static bool halved(const typename Scalars<D>::Brick& intervals) {
+  static bool refined(const typename Scalars<D>::Brick& intervals) {
     for (std::size_t v = 0; v < Scalars<D>::kVertices; ++v) {
       if (intervals.knows(v) && intervals.middle(v) >> intervals.width(v) > 3) return true;
     }

@@ -38,11 +38,11 @@ class FitWindow {
 
   /// Of a brick whose scalars are in the window, with the gradient that Scalars keep of it.
   void load(const ScalarWindow<D>& scalars, int gradient) {
-    octave_ = std::min(gradient / 4, kMostOctave);  // beyond: none has been told, and nobody there is fitted
-    up_ = kFine - octave_ - 1;  // scalars are half quanta
+    exponent_ = std::min(gradient / 4, kMostExponent);  // beyond: none has been told, and nobody there is fitted
+    up_ = kFine - exponent_ - 1;  // scalars are half quanta
     most_ = up_ < 0 ? static_cast<int32_t>(std::min<int64_t>(int64_t{kMost} << -up_, INT32_MAX)) : kMost >> up_;
     for (std::size_t i = 0; i < finer_.size(); ++i) {
-      const int log2 = octave_ - 8 + static_cast<int>(i);
+      const int log2 = exponent_ - 8 + static_cast<int>(i);
       finer_[i] = log2 < 0 ? 0 : int32_t{1} << std::min(log2, 30);
     }
     // One after the other, so that the compiler takes several at a time.
@@ -52,7 +52,7 @@ class FitWindow {
   }
 
   /// Takes over what has been told of vertex x in row r.
-  void tell(std::size_t r, int x, int32_t scalar) {
+  void code(std::size_t r, int x, int32_t scalar) {
     const auto at = static_cast<std::size_t>(ScalarWindow<D>::index(r, x));
     value_[at] = scaled(scalar);
     weight_[at] = weightOf(scalar);
@@ -71,7 +71,7 @@ class FitWindow {
   [[nodiscard]] const Bends& bends(std::size_t r, int x) const { return bends_[blockOf(r, x)]; }
 
  private:
-  static constexpr int kHalfSide = kBrickSide / 2, kPrior = 12, kMostOctave = 31;
+  static constexpr int kHalfSide = kBrickSide / 2, kPrior = 12, kMostExponent = 31;
   static constexpr std::array<int32_t, 8> kLess{1, 3, 11, 28, 43, 27, 10, 3};  // the weight is less by that for each octave that an interval is wider
 
   /// Blocks are halves of a brick on each axis.
@@ -119,7 +119,7 @@ class FitWindow {
 
   static constexpr auto kDirections = Direction<D>::all();
 
-  int octave_ = 0, up_ = 0;
+  int exponent_ = 0, up_ = 0;
   int32_t most_ = 0;
   std::array<int32_t, power(kBrickSide + 2, D)> value_;
   std::array<uint8_t, power(kBrickSide + 2, D)> weight_;

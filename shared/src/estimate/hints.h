@@ -8,9 +8,9 @@ namespace isostar {
 
 template <int D>
 struct Hints {
-  Kernel kernel = Kernel::Middle;                    // that places this octave's surface best
+  SmoothingFilter filter = SmoothingFilter::Middle;                    // that places this octave's surface best
   const Displacements<D>* displacements = nullptr;  // null, or without places: none
-  [[nodiscard]] bool displaced() const { return displacements != nullptr && displacements->places() != 0; }
+  [[nodiscard]] bool displaced() const { return displacements != nullptr && displacements->tableSize() != 0; }
 };
 
 }  // namespace isostar

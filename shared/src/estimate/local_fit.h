@@ -31,7 +31,7 @@ struct LocalFit {
   struct Sums {
     static constexpr int kUnknowns = D + 1;
     std::array<std::array<int32_t, kUnknowns>, kUnknowns> matrix{};  // its lower half
-    std::array<int32_t, kUnknowns> told{}, bends{};
+    std::array<int32_t, kUnknowns> coded{}, bends{};
     int known = 0;
 
     void add(const FitWindow<D>& window, std::size_t r, int x) {
@@ -55,15 +55,15 @@ struct LocalFit {
       const int32_t after = weight(weights[kOffset]), before = weight(weights[-kOffset]);
       known += (after != 0 ? 1 : 0) + (before != 0 ? 1 : 0);
       const int32_t sum = after + before, difference = after - before;
-      const int32_t toldAfter = after * values[kOffset], toldBefore = before * values[-kOffset];
+      const int32_t codedAfter = after * values[kOffset], codedBefore = before * values[-kOffset];
       const auto line = [&](int unknown, int sign) {
         matrix[unknown][0] += sign * difference;
         matrix[unknown][unknown] += sum;
-        told[unknown] += sign * (toldAfter - toldBefore);
+        coded[unknown] += sign * (codedAfter - codedBefore);
         bends[unknown] += sign * difference * bend;
       };
       matrix[0][0] += sum;
-      told[0] += toldAfter + toldBefore;
+      coded[0] += codedAfter + codedBefore;
       bends[0] += sum * bend;
       line(kDirection.first + 1, 1);
       if constexpr (kSecond != 0) {
@@ -80,8 +80,8 @@ struct LocalFit {
       for (int q = 0; q < kUnknowns; ++q) {
         for (int p = 0; p <= q; ++p) m[q][p] = int64_t{matrix[q][p]} << kBits;
         if (q > 0) m[q][q] += matrix[0][0] / 4 + 1;  // keeps slopes that nothing tells from growing
-        right[0][q] = told[q];
-        right[1][q] = int64_t{told[q]} - bends[q];
+        right[0][q] = coded[q];
+        right[1][q] = int64_t{coded[q]} - bends[q];
       }
       for (int p = kUnknowns - 1; p > 0; --p) {
         const int64_t inverse = inverseOf(m[p][p]);

@@ -16,9 +16,9 @@ namespace isostar {
 class Steps {
  public:
   /// From a gradient as Scalars keep it.
-  explicit Steps(int quarterOctaves = 0) {
+  explicit Steps(int log2Quarters = 0) {
     constexpr std::array<int64_t, 4> kRoots{256, 304, 362, 431};  // 256 · 2^(i/4)
-    const auto clamped = static_cast<unsigned>(std::clamp(quarterOctaves, 0, 4 * 32));
+    const auto clamped = static_cast<unsigned>(std::clamp(log2Quarters, 0, 4 * 32));
     steps_ = (kRoots[clamped % 4] << clamped / 4) >> 7;
   }
   /// An eighth of a step, but not nothing.

@@ -12,15 +12,15 @@
 namespace isostar {
 
 /// How far around a vertex signs count. Smooth surfaces are placed best by a wide kernel, noise and coarse octaves by a narrow one.
-enum class Kernel : uint8_t { Narrow, Middle, Wide };
+enum class SmoothingFilter : uint8_t { Narrow, Middle, Wide };
 
 /// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each axis for the wide kernel, so
 /// that the sums are made axis by axis, for a row of eight vertices at once. In each dimension they are about as large as in three.
 template <int D>
 class ShapeEstimate {
  public:
-  explicit ShapeEstimate(Kernel kernel)
-      : own_(weights(kernel).own), beside_(weights(kernel).beside), far_(weights(kernel).far), scale_(weights(kernel).scale) {
+  explicit ShapeEstimate(SmoothingFilter filter)
+      : own_(weights(filter).own), beside_(weights(filter).beside), far_(weights(filter).far), scale_(weights(filter).scale) {
     tabulate();
   }
 
@@ -55,8 +55,8 @@ class ShapeEstimate {
   struct Weights {
     int16_t own, beside, far, scale;
   };
-  static constexpr Weights weights(Kernel kernel) {
-    return kernel == Kernel::Narrow ? Weights{12, 4, 0, 171} : kernel == Kernel::Middle ? Weights{10, 5, 0, 205} : Weights{8, 5, 1, 256};
+  static constexpr Weights weights(SmoothingFilter filter) {
+    return filter == SmoothingFilter::Narrow ? Weights{12, 4, 0, 171} : filter == SmoothingFilter::Middle ? Weights{10, 5, 0, 205} : Weights{8, 5, 1, 256};
   }
 
   [[nodiscard]] int32_t scaled(int32_t sum) const { return sum * scale_ >> 8; }
@@ -69,7 +69,7 @@ class ShapeEstimate {
   }
 
   /// Four vertices from the eight signs around them.
-  [[gnu::noinline]] ISOSTAR_SELDOM void tabulate() {
+  [[gnu::noinline]] ISOSTAR_COLD void tabulate() {
     const std::array<int, 5> weights{far_, beside_, own_, beside_, far_};
     for (unsigned signs = 0; signs < 256; ++signs) {
       for (unsigned x = 0; x < 4; ++x) {

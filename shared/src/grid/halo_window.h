@@ -26,8 +26,8 @@ class HaloWindow {
   template <class ItemsAt>
   void gather(const BrickTable<D>& table, const Coordinates<D>& brick, const Item* nothing, ItemsAt itemsAt) {
     std::array<const Item*, power(3, D)> near;
-    const auto places = table.around(brick);
-    for (std::size_t n = 0; n < near.size(); ++n) near[n] = places[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(places[n]);
+    const auto brickIndices = table.around(brick);
+    for (std::size_t n = 0; n < near.size(); ++n) near[n] = brickIndices[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(brickIndices[n]);
     for (std::size_t i = 0; i < kSources.size(); ++i) {
       const Item* const* const source = &near[kSources[i].near];
       const std::size_t row = kSources[i].row;

@@ -33,11 +33,11 @@ struct Lattice {
     return planes;
   }
   /// Does the plane first appear on this octave?
-  [[nodiscard]] bool fresh(int axis, int32_t plane) const { return (plane & 1) != 0 && plane != last[axis]; }
+  [[nodiscard]] bool isNew(int axis, int32_t plane) const { return (plane & 1) != 0 && plane != last[axis]; }
   /// The axes on which a vertex is fresh, as a set of bits.
-  [[nodiscard]] unsigned freshAxes(const Coordinates<D>& v) const {
+  [[nodiscard]] unsigned newAxes(const Coordinates<D>& v) const {
     unsigned axes = 0;
-    for (int a = 0; a < D; ++a) axes |= fresh(a, v[a]) ? 1u << a : 0u;
+    for (int a = 0; a < D; ++a) axes |= isNew(a, v[a]) ? 1u << a : 0u;
     return axes;
   }
   /// The coarser octave's plane that coincides with this one or, for a fresh one, precedes it.
@@ -48,7 +48,7 @@ struct Lattice {
   [[nodiscard]] std::optional<Coordinates<D>> onCoarser(const Coordinates<D>& v) const {
     Coordinates<D> same;
     for (int a = 0; a < D; ++a) {
-      if (fresh(a, v[a])) return std::nullopt;
+      if (isNew(a, v[a])) return std::nullopt;
       same[a] = parent(a, v[a]);
     }
     return same;

@@ -51,9 +51,9 @@ struct Neighbourhood {
   [[nodiscard]] constexpr int diamondCount() const { return cornerCount + acrossCount; }
 
   constexpr Neighbourhood() = default;
-  constexpr explicit Neighbourhood(unsigned fresh) {
-    collect(fresh, true);
-    collect(fresh, false);
+  constexpr explicit Neighbourhood(unsigned newAxes) {
+    collect(newAxes, true);
+    collect(newAxes, false);
     slice();
   }
 
@@ -91,34 +91,34 @@ struct Neighbourhood {
     weight += itsWeight;
   }
 
-  constexpr void collect(unsigned fresh, bool corners) {
+  constexpr void collect(unsigned newAxes, bool corners) {
     for (int distance = 1; distance <= 4 * D; ++distance) {
       std::array<int, D> d{};
       d.fill(-2);
       for (std::size_t n = power(5, D); n > 0; --n) {
         int squares = 0;
         for (int a = 0; a < D; ++a) squares += d[a] * d[a];
-        if (squares == distance) place(fresh, d, corners, distance >= 8);
+        if (squares == distance) addAt(newAxes, d, corners, distance >= 8);
         for (int a = 0; a < D && ++d[a] == 3; ++a) d[a] = -2;
       }
     }
   }
 
-  constexpr void place(unsigned fresh, const std::array<int, D>& d, bool corners, bool outer) {
+  constexpr void addAt(unsigned newAxes, const std::array<int, D>& d, bool corners, bool outer) {
     Step step;
     for (int a = 1; a < D; ++a) step.rows = static_cast<int16_t>(step.rows + d[a] * Window<D>::rowStride(a));
     step.bits = static_cast<int8_t>(d[0]);
     bool corner = true, beside = true, near = true, earlier = false;
-    unsigned theirs = fresh;
+    unsigned theirs = newAxes;
     for (int a = 0; a < D; ++a) {
-      const bool inO = (fresh >> a & 1) != 0;
+      const bool inO = (newAxes >> a & 1) != 0;
       if ((d[a] & 1) != 0) theirs ^= 1u << a;
       near = near && d[a] >= -1 && d[a] <= 1;
       corner = corner && (inO ? (d[a] & 1) != 0 : d[a] == 0);
       beside = beside && (!inO || d[a] == 0);
       if (d[a] != 0) earlier = d[a] < 0;  // the outermost axis that differs decides
     }
-    const int mine = __builtin_popcount(fresh), other = __builtin_popcount(theirs);
+    const int mine = __builtin_popcount(newAxes), other = __builtin_popcount(theirs);
     if (near && (corner || beside)) {
       if (corner != corners) return;
       offsets[cornerCount + acrossCount] = d;

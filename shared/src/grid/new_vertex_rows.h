@@ -9,7 +9,7 @@ namespace isostar {
 /// both signs is *open*; the sign of any other is deduced. Of an adaptive octave some are absent from the mesh: as is
 /// every vertex with an absent one in its diamond, so that the mesh conforms.
 template <int D>
-class FreshRows {
+class NewVertexRows {
  public:
   using Bits = uint32_t;  // bit x is vertex x of a row
 
@@ -17,7 +17,7 @@ class FreshRows {
   struct Row {
     int16_t window;   // in the Window
     uint16_t brick;   // in the Brick
-    uint8_t fresh;    // the axes on which its vertices are fresh
+    uint8_t newAxes;    // the axes on which its vertices are fresh
     uint8_t members;  // its vertices of the class
     uint8_t open;     // those whose diamond has both signs
     uint8_t absent;   // those that are not in the mesh
@@ -27,8 +27,8 @@ class FreshRows {
   };
 
   /// `absent`: null where all are in the mesh.
-  void enter(const Signs<D>& signs, const Signs<D>* absent, std::size_t place, int dimension) {
-    const auto at = signs.table().brick(place);
+  void enter(const Signs<D>& signs, const Signs<D>* absent, std::size_t brickIndex, int dimension) {
+    const auto at = signs.table().brick(brickIndex);
     changed_ = false;
     signs_.load(signs, at);
     find(signs.lattice(), at, dimension);
@@ -39,9 +39,9 @@ class FreshRows {
     std::array<int, 2> eights{-1, -1};
     for (int i = 0; i < count_; ++i) {
       Row& row = rows_[i];
-      const std::size_t kind = row.fresh >> 1 & 1;
+      const std::size_t kind = row.newAxes >> 1 & 1;
       const int eight = row.brick / kBrickSide, inEight = row.brick % kBrickSide;
-      if (eights[kind] != eight) crossed[kind] = crossing(row.window - inEight, row.fresh);
+      if (eights[kind] != eight) crossed[kind] = crossing(row.window - inEight, row.newAxes);
       eights[kind] = eight;
       row.absent = absent == nullptr ? uint8_t{0} : static_cast<uint8_t>(besideAbsent(row) & row.members);
       row.open = static_cast<uint8_t>(crossed[kind][inEight] & row.members & ~row.absent);
@@ -57,10 +57,10 @@ class FreshRows {
     const int kind = last ? -1 : dimension;
     if (!last && kind_ == kind) return;
     kind_ = kind;
-    Bits fresh = 0, inside = 0;
+    Bits newAxes = 0, inside = 0;
     for (int x = 0; x < kBrickSide && at[0] * kBrickSide + x <= lattice.last[0]; ++x) {
       inside |= 1u << x;
-      if (lattice.fresh(0, at[0] * kBrickSide + x)) fresh |= 1u << x;
+      if (lattice.isNew(0, at[0] * kBrickSide + x)) newAxes |= 1u << x;
     }
     count_ = 0;
     Coordinates<D> v{};
@@ -70,10 +70,10 @@ class FreshRows {
       for (int a = 1; a < D; ++a) {
         const int32_t plane = at[a] * kBrickSide + v[a];
         in = in && plane <= lattice.last[a];
-        if (lattice.fresh(a, plane)) o |= 1u << a;
+        if (lattice.isNew(a, plane)) o |= 1u << a;
       }
       const int left = dimension - std::popcount(o);
-      const Bits members = left == 1 ? fresh : left == 0 ? inside & ~fresh : 0;
+      const Bits members = left == 1 ? newAxes : left == 0 ? inside & ~newAxes : 0;
       if (in && members != 0) {
         rows_[count_++] = {Window<D>::kOwnRows[r], static_cast<uint16_t>(r), static_cast<uint8_t>(o | static_cast<unsigned>(left)),
                            static_cast<uint8_t>(members), 0, 0};
@@ -97,8 +97,8 @@ class FreshRows {
 
   /// Has a sign turned since the brick was entered?
   [[nodiscard]] bool changed() const { return changed_; }
-  void store(Signs<D>& signs, std::size_t place) const {
-    auto& rows = signs.writable(place).rows;
+  void store(Signs<D>& signs, std::size_t brickIndex) const {
+    auto& rows = signs.writable(brickIndex).rows;
     for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = static_cast<uint8_t>(signs_.rows[Window<D>::kOwnRows[r]] >> Window<D>::kHalo);
   }
 
@@ -106,8 +106,8 @@ class FreshRows {
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
 
   /// Which vertices of eight rows have a diamond of both signs, if they are fresh on these axes: all at once.
-  [[nodiscard]] typename Window<D>::Rows crossing(int first, unsigned fresh) const {
-    const auto& n = neighbourhoods_[fresh];
+  [[nodiscard]] typename Window<D>::Rows crossing(int first, unsigned newAxes) const {
+    const auto& n = neighbourhoods_[newAxes];
     typename Window<D>::Rows some{}, all = ~some;
     for (int i = 0; i < n.diamondCount(); ++i) {
       const auto rows = signs_.eightFrom(first + n.diamond[i].rows) >> (Window<D>::kHalo + n.diamond[i].bits);
@@ -119,7 +119,7 @@ class FreshRows {
 
   /// Which vertices of a row have a diamond with a vertex that is not in the mesh.
   [[nodiscard]] Bits besideAbsent(const Row& row) const {
-    const auto& n = neighbourhoods_[row.fresh];
+    const auto& n = neighbourhoods_[row.newAxes];
     Bits any = 0;
     for (int i = 0; i < n.diamondCount(); ++i) {
       any |= static_cast<Bits>(absent_.rows[row.window + n.diamond[i].rows]) >> (Window<D>::kHalo + n.diamond[i].bits);

@@ -35,13 +35,13 @@ Signs<D> refined(const Signs<D>& coarse) {
                                                   0xC0, 0xC3, 0xCC, 0xCF, 0xF0, 0xF3, 0xFC, 0xFF};
   Signs<D> fine(coarse.lattice().finer());
   const auto& table = fine.table();
-  for (std::size_t place = 0; place < table.total(); ++place) {
-    const auto at = table.brick(place);
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
+    const auto at = table.brick(brickIndex);
     Coordinates<D> half;
     for (int a = 0; a < D; ++a) half[a] = at[a] / 2;
-    const uint32_t index = coarse.index(coarse.table().place(half));
+    const uint32_t index = coarse.index(coarse.table().index(half));
     if (index <= Signs<D>::kPositive) {
-      fine.setUniform(place, index);
+      fine.setUniform(brickIndex, index);
       continue;
     }
     const auto& parent = coarse.brick(index).rows;
@@ -53,7 +53,7 @@ Signs<D> refined(const Signs<D>& coarse) {
       row = kTwice[parent[parentRow] >> ((at[0] & 1) * 4) & 15];
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
-    fine.put(place, brick);
+    fine.put(brickIndex, brick);
   }
   for (int a = 0; a < D; ++a) {
     if ((fine.lattice().last[a] & 1) != 0) copyEndPlane(coarse, fine, a);
@@ -83,7 +83,7 @@ std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>&
   for (std::size_t n = 0; n < power(2, D); ++n) {
     Coordinates<D> finer;
     for (int a = 0; a < D; ++a) finer[a] = std::min(at[a] * 2 + static_cast<int32_t>(n >> a & 1), fine.table().count(a) - 1);
-    const uint32_t index = fine.index(fine.table().place(finer));
+    const uint32_t index = fine.index(fine.table().index(finer));
     if (index > Signs<D>::kPositive || index != common.value_or(index)) return std::nullopt;
     common = index;
   }
@@ -104,7 +104,7 @@ Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
       finer[a] = plane / kBrickSide;
       finerRow = finerRow * kBrickSide + static_cast<std::size_t>(plane % kBrickSide);
     }
-    const std::size_t first = table.place(finer);
+    const std::size_t first = table.index(finer);
     auto signsOf = [&](int32_t x) {
       const int32_t end = table.count(0) - 1;
       const unsigned signs = fine.brickAt(first + static_cast<std::size_t>(std::min(x, end))).rows[finerRow];
@@ -121,12 +121,12 @@ template <int D>
 Signs<D> coarsened(const Signs<D>& fine) {
   Signs<D> coarse(Lattice<D>(fine.lattice().box, fine.lattice().step * 2));
   const auto& table = coarse.table();
-  for (std::size_t place = 0; place < table.total(); ++place) {
-    const auto at = table.brick(place);
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
+    const auto at = table.brick(brickIndex);
     if (const auto uniform = uniformBelow<D>(fine, at)) {
-      coarse.setUniform(place, *uniform);
+      coarse.setUniform(brickIndex, *uniform);
     } else {
-      coarse.put(place, coarsenedBrick<D>(fine, at));
+      coarse.put(brickIndex, coarsenedBrick<D>(fine, at));
     }
   }
   return coarse;
@@ -154,8 +154,8 @@ bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t unifo
 
 /// Does a uniform brick touch a vertex of the other sign?
 template <int D>
-bool touchesOther(const Signs<D>& signs, std::size_t place, const Coordinates<D>& at) {
-  const uint32_t uniform = signs.index(place);
+bool touchesOther(const Signs<D>& signs, std::size_t brickIndex, const Coordinates<D>& at) {
+  const uint32_t uniform = signs.index(brickIndex);
   Coordinates<D> d;
   d.fill(-1);
   for (const std::size_t other : signs.table().around(at)) {
@@ -174,12 +174,12 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
   const auto& table = signs.table();
   std::vector<uint8_t> active(table.total(), 0);
   Coordinates<D> at{};
-  for (std::size_t place = 0; place < table.total(); ++place, table.advance(at)) {
-    const bool mixed = signs.index(place) > Signs<D>::kPositive;
-    if (mixed) active[place] = 1;
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex, table.advance(at)) {
+    const bool mixed = signs.index(brickIndex) > Signs<D>::kPositive;
+    if (mixed) active[brickIndex] = 1;
     bool differs = false;
     for (int a = 0; a < D && !mixed; ++a) {
-      differs = differs || (at[a] + 1 < table.count(a) && signs.index(place + table.stride(a)) != signs.index(place));
+      differs = differs || (at[a] + 1 < table.count(a) && signs.index(brickIndex + table.stride(a)) != signs.index(brickIndex));
     }
     if (!mixed && !differs) continue;
     Coordinates<D> from, to;
@@ -188,28 +188,28 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
       to[a] = std::min(at[a] + (mixed ? 1 : 2), table.count(a) - 1);  // a brick that differs is one further
     }
     for (auto v = from;;) {
-      uint8_t& mark = active[table.place(v)];
+      uint8_t& mark = active[table.index(v)];
       if (mark == 0) mark = 2;
       int a = 0;
       for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
       if (a == D) break;
     }
   }
-  for (std::size_t place = 0; place < table.total(); ++place) {
-    if (active[place] == 2) active[place] = touchesOther<D>(signs, place, table.brick(place)) ? 1 : 0;
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
+    if (active[brickIndex] == 2) active[brickIndex] = touchesOther<D>(signs, brickIndex, table.brick(brickIndex)) ? 1 : 0;
   }
   return active;
 }
 
 /// After vertices of a brick have changed: marks its quiet neighbours that now touch a vertex of the other sign.
 template <int D>
-void activateAround(const Signs<D>& signs, std::size_t place, std::vector<uint8_t>& active) {
+void activateAround(const Signs<D>& signs, std::size_t brickIndex, std::vector<uint8_t>& active) {
   const auto& table = signs.table();
-  active[place] = 1;
+  active[brickIndex] = 1;
   Coordinates<D> d;  // in which the brick lies, seen from a neighbour
   d.fill(1);
-  for (const std::size_t other : table.around(table.brick(place))) {
-    if (other != BrickTable<D>::kNowhere && active[other] == 0 && facingVaries<D>(signs.brickAt(place), d, signs.index(other))) active[other] = 1;
+  for (const std::size_t other : table.around(table.brick(brickIndex))) {
+    if (other != BrickTable<D>::kNowhere && active[other] == 0 && facingVaries<D>(signs.brickAt(brickIndex), d, signs.index(other))) active[other] = 1;
     for (int a = 0; a < D && --d[a] == -2; ++a) d[a] = 1;
   }
 }

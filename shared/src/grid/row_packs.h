@@ -28,7 +28,7 @@ struct RowPacks {
     return packs;
   }
   /// Turns the sign at bit `at` of the row in the middle, if it is to be turned (1 or 0).
-  void flip(unsigned turned, int at) { words[kWords / 2] ^= uint64_t{turned} << (2 * kBits + at); }
+  void flip(unsigned flipped, int at) { words[kWords / 2] ^= uint64_t{flipped} << (2 * kBits + at); }
 
   /// How many vertices of a mask are positive, seen from bit `at` of the row in the middle.
   [[nodiscard]] unsigned count(const RowPacks& mask, int at) const {
@@ -69,7 +69,7 @@ struct RowPacks {
     std::array<std::size_t, power(3, D - 2)> near{};
     for (std::size_t s = 0; s < near.size(); ++s) {
       std::size_t word = 0, digits = s;
-      for (std::size_t place = 1, a = 2; a < D; ++a, digits /= 3, place *= 5) word += (digits % 3 + 1) * place;
+      for (std::size_t brickIndex = 1, a = 2; a < D; ++a, digits /= 3, brickIndex *= 5) word += (digits % 3 + 1) * brickIndex;
       near[s] = word;
     }
     return near;

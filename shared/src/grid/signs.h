@@ -67,7 +67,7 @@ class BrickTable {
   [[nodiscard]] std::size_t total() const { return total_; }
   [[nodiscard]] int32_t count(int axis) const { return count_[axis]; }
   [[nodiscard]] std::size_t stride(int axis) const { return stride_[axis]; }
-  [[nodiscard]] std::size_t place(const Coordinates<D>& brick) const {
+  [[nodiscard]] std::size_t index(const Coordinates<D>& brick) const {
     std::size_t at = 0;
     for (int a = 0; a < D; ++a) at += static_cast<std::size_t>(brick[a]) * stride_[a];
     return at;
@@ -76,21 +76,21 @@ class BrickTable {
   using Around = std::array<std::size_t, power(3, D)>;
   /// The places of the 3^D bricks around one, itself in the middle, the first axis fastest; kNowhere beyond the table.
   [[gnu::noinline]] Around around(const Coordinates<D>& brick) const {
-    Around places;
-    alongAxis<D - 1>(brick, place(brick), places.data());
-    return places;
+    Around brickIndices;
+    alongAxis<D - 1>(brick, index(brick), brickIndices.data());
+    return brickIndices;
   }
   /// Of the brick that a vertex lies in.
-  [[nodiscard]] std::size_t placeOf(const Coordinates<D>& v) const {
-    std::size_t place = 0;
-    for (int a = 0; a < D; ++a) place += static_cast<std::size_t>(v[a] >> 3) * stride_[a];
-    return place;
+  [[nodiscard]] std::size_t brickIndexOf(const Coordinates<D>& v) const {
+    std::size_t brickIndex = 0;
+    for (int a = 0; a < D; ++a) brickIndex += static_cast<std::size_t>(v[a] >> 3) * stride_[a];
+    return brickIndex;
   }
-  [[nodiscard]] Coordinates<D> brick(std::size_t place) const {
+  [[nodiscard]] Coordinates<D> brick(std::size_t brickIndex) const {
     Coordinates<D> at{};
     for (int a = D - 1; a >= 0; --a) {
-      at[a] = static_cast<int32_t>(place / stride_[a]);
-      place %= stride_[a];
+      at[a] = static_cast<int32_t>(brickIndex / stride_[a]);
+      brickIndex %= stride_[a];
     }
     return at;
   }
@@ -101,12 +101,12 @@ class BrickTable {
 
  private:
   template <int Axis>
-  void alongAxis(const Coordinates<D>& brick, std::size_t place, std::size_t* places) const {
-    place -= stride_[Axis];
-    for (int32_t at = brick[Axis] - 1; at <= brick[Axis] + 1; ++at, places += power(3, Axis), place += stride_[Axis]) {
-      if (static_cast<uint32_t>(at) >= static_cast<uint32_t>(count_[Axis])) std::fill_n(places, power(3, Axis), kNowhere);
-      else if constexpr (Axis == 0) *places = place;
-      else alongAxis<Axis - 1>(brick, place, places);
+  void alongAxis(const Coordinates<D>& brick, std::size_t brickIndex, std::size_t* brickIndices) const {
+    brickIndex -= stride_[Axis];
+    for (int32_t at = brick[Axis] - 1; at <= brick[Axis] + 1; ++at, brickIndices += power(3, Axis), brickIndex += stride_[Axis]) {
+      if (static_cast<uint32_t>(at) >= static_cast<uint32_t>(count_[Axis])) std::fill_n(brickIndices, power(3, Axis), kNowhere);
+      else if constexpr (Axis == 0) *brickIndices = brickIndex;
+      else alongAxis<Axis - 1>(brick, brickIndex, brickIndices);
     }
   }
 
@@ -129,23 +129,23 @@ class Signs {
 
   [[nodiscard]] const Lattice<D>& lattice() const { return lattice_; }
   [[nodiscard]] const BrickTable<D>& table() const { return table_; }
-  [[nodiscard]] uint32_t index(std::size_t place) const { return at_[place]; }
+  [[nodiscard]] uint32_t index(std::size_t brickIndex) const { return at_[brickIndex]; }
   [[nodiscard]] const Brick<D>& brick(uint32_t index) const { return bricks_[index]; }
-  [[nodiscard]] const Brick<D>& brickAt(std::size_t place) const { return bricks_[at_[place]]; }
+  [[nodiscard]] const Brick<D>& brickAt(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
   [[nodiscard]] uint32_t brickCount() const { return static_cast<uint32_t>(bricks_.size()); }
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_); }
   /// Bytes that it takes at most to put so many bricks one after the other.
-  [[nodiscard]] static uint64_t memoryToFill(uint64_t places, uint64_t bricks) {
-    return places * sizeof(uint32_t) + 3 * (std::min(bricks, places) + 2) * sizeof(Brick<D>);
+  [[nodiscard]] static uint64_t memoryToFill(uint64_t brickIndices, uint64_t bricks) {
+    return brickIndices * sizeof(uint32_t) + 3 * (std::min(bricks, brickIndices) + 2) * sizeof(Brick<D>);
   }
 
   void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }
-  void setUniform(std::size_t place, uint32_t uniform) { at_[place] = uniform; }
+  void setUniform(std::size_t brickIndex, uint32_t uniform) { at_[brickIndex] = uniform; }
 
   /// The brick at a place, to be written: a uniform one gets rows of its own first.
-  Brick<D>& writable(std::size_t place) {
-    uint32_t& index = at_[place];
+  Brick<D>& writable(std::size_t brickIndex) {
+    uint32_t& index = at_[brickIndex];
     if (index <= kPositive) {
       bricks_.push_back(bricks_[index]);
       index = brickCount() - 1;
@@ -153,23 +153,23 @@ class Signs {
     return bricks_[index];
   }
   /// Puts a brick at a place that has none of its own yet; one of a single sign is shared.
-  void put(std::size_t place, const Brick<D>& brick) {
+  void put(std::size_t brickIndex, const Brick<D>& brick) {
     if (brick == bricks_[kNegative]) {
-      at_[place] = kNegative;
+      at_[brickIndex] = kNegative;
     } else if (brick == bricks_[kPositive]) {
-      at_[place] = kPositive;
+      at_[brickIndex] = kPositive;
     } else {
-      at_[place] = brickCount();
+      at_[brickIndex] = brickCount();
       bricks_.push_back(brick);
     }
   }
 
   [[nodiscard]] bool at(const Coordinates<D>& v) const {
-    return (brickAt(table_.placeOf(v)).rows[rowOf(v)] >> (v[0] & 7) & 1) != 0;
+    return (brickAt(table_.brickIndexOf(v)).rows[rowOf(v)] >> (v[0] & 7) & 1) != 0;
   }
   void set(const Coordinates<D>& v, bool positive) {
     if (at(v) == positive) return;
-    writable(table_.placeOf(v)).rows[rowOf(v)] ^= static_cast<uint8_t>(1u << (v[0] & 7));
+    writable(table_.brickIndexOf(v)).rows[rowOf(v)] ^= static_cast<uint8_t>(1u << (v[0] & 7));
   }
 
  private:
@@ -188,11 +188,11 @@ class Signs {
 /// Calls visit(v) for each positive vertex, as of a set; visit may turn v itself.
 template <int D, class Visit>
 void forEachMember(const Signs<D>& set, Visit visit) {
-  for (std::size_t place = 0; place < set.table().total(); ++place) {
-    if (set.index(place) == Signs<D>::kNegative) continue;
-    const auto brick = set.table().brick(place);
+  for (std::size_t brickIndex = 0; brickIndex < set.table().total(); ++brickIndex) {
+    if (set.index(brickIndex) == Signs<D>::kNegative) continue;
+    const auto brick = set.table().brick(brickIndex);
     for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
-      for (uint32_t open = set.brickAt(place).rows[r]; open != 0; open &= open - 1) {
+      for (uint32_t open = set.brickAt(brickIndex).rows[r]; open != 0; open &= open - 1) {
         visit(vertexOf<D>(brick, r * kBrickSide + static_cast<std::size_t>(std::countr_zero(open))));
       }
     }

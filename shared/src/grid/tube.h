@@ -59,9 +59,9 @@ template <int D>
 class Tube {
  public:
   /// Not copied to each place that calls it: a page's decoder is to be small.
-  [[gnu::noinline]] void enter(const Signs<D>& signs, std::size_t place, Members members) {
+  [[gnu::noinline]] void enter(const Signs<D>& signs, std::size_t brickIndex, Members members) {
     table_ = &signs.table();
-    at_ = table_->brick(place);
+    at_ = table_->brick(brickIndex);
     window_.load(signs, at_);
     findAxisEnds(signs.lattice());
     if (members == Members::AxisEnds) return;

@@ -17,63 +17,63 @@ class VertexFront {
   [[gnu::noinline]] void begin(Signs<D>& signs, const Signs<D>* below, const Signs<D>* above) {
     signs_ = &signs;
     open_ = Signs<D>(signs.lattice());
-    queued_.assign(places(), 0);
-    queue_.assign(places(), 0);
+    queued_.assign(tableSize(), 0);
+    queue_.assign(tableSize(), 0);
     first_ = waiting_ = 0;
     const auto& lattice = signs.lattice();
-    for (std::size_t place = 0; place < places(); ++place) {
-      if ((below != nullptr && below->index(place) == Signs<D>::kNegative) || (above != nullptr && above->index(place) == Signs<D>::kPositive)) continue;
-      const auto at = signs.table().brick(place);
+    for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) {
+      if ((below != nullptr && below->index(brickIndex) == Signs<D>::kNegative) || (above != nullptr && above->index(brickIndex) == Signs<D>::kPositive)) continue;
+      const auto at = signs.table().brick(brickIndex);
       Brick<D> brick;
       for (std::size_t r = 0; r < brick.rows.size(); ++r) {
         brick.rows[r] = inside(lattice, at, r);
-        if (below != nullptr) brick.rows[r] &= below->brickAt(place).rows[r];
-        if (above != nullptr) brick.rows[r] &= static_cast<uint8_t>(~above->brickAt(place).rows[r]);
+        if (below != nullptr) brick.rows[r] &= below->brickAt(brickIndex).rows[r];
+        if (above != nullptr) brick.rows[r] &= static_cast<uint8_t>(~above->brickAt(brickIndex).rows[r]);
       }
-      open_.put(place, brick);
+      open_.put(brickIndex, brick);
     }
   }
 
-  [[nodiscard]] std::size_t places() const { return signs_->table().total(); }
-  [[nodiscard]] bool open(std::size_t place) const { return open_.index(place) != Signs<D>::kNegative; }
-  [[nodiscard]] uint32_t openRow(std::size_t place, std::size_t r) const { return open_.brickAt(place).rows[r]; }
+  [[nodiscard]] std::size_t tableSize() const { return signs_->table().total(); }
+  [[nodiscard]] bool open(std::size_t brickIndex) const { return open_.index(brickIndex) != Signs<D>::kNegative; }
+  [[nodiscard]] uint32_t openRow(std::size_t brickIndex, std::size_t r) const { return open_.brickAt(brickIndex).rows[r]; }
   /// Bytes in use, while one more brick is made, or while the signs become tidy.
   [[nodiscard]] uint64_t memory() const {
-    return open_.memory() + places() * kBytesOfPlace + Signs<D>::memoryToFill(places(), signs_->brickCount());
+    return open_.memory() + tableSize() * kBytesOfPosition + Signs<D>::memoryToFill(tableSize(), signs_->brickCount());
   }
   /// Bytes that it takes at most to begin between signs with so many bricks.
   [[nodiscard]] static uint64_t memoryToBegin(const BrickTable<D>& table, uint64_t bricks) {
     for (int a = 0; a < D; ++a) bricks += table.total() / static_cast<std::size_t>(table.count(a));  // the lattice's end
-    return table.total() * kBytesOfPlace + Signs<D>::memoryToFill(table.total(), bricks);
+    return table.total() * kBytesOfPosition + Signs<D>::memoryToFill(table.total(), bricks);
   }
 
   /// Closes a vertex of a brick with a sign; that of the entered one shows at once.
-  [[gnu::noinline]] void close(std::size_t place, std::size_t r, int x, bool positive) {
-    open_.writable(place).rows[r] &= static_cast<uint8_t>(~(1u << x));
-    if ((signs_->brickAt(place).rows[r] >> x & 1) == (positive ? 1u : 0u)) return;
-    signs_->writable(place).rows[r] ^= static_cast<uint8_t>(1u << x);
-    if (place != entered_) return;
+  [[gnu::noinline]] void close(std::size_t brickIndex, std::size_t r, int x, bool positive) {
+    open_.writable(brickIndex).rows[r] &= static_cast<uint8_t>(~(1u << x));
+    if ((signs_->brickAt(brickIndex).rows[r] >> x & 1) == (positive ? 1u : 0u)) return;
+    signs_->writable(brickIndex).rows[r] ^= static_cast<uint8_t>(1u << x);
+    if (brickIndex != entered_) return;
     window_.rows[Window<D>::kOwnRows[r]] ^= static_cast<uint16_t>(1u << (x + Window<D>::kHalo));
     changed_ = true;
   }
 
   void queueAll() {
-    for (std::size_t place = 0; place < places(); ++place) queue(place);
+    for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) queue(brickIndex);
   }
   /// The brick that has waited longest.
   [[nodiscard]] std::optional<std::size_t> next() {
     if (waiting_ == 0) return std::nullopt;
-    const std::size_t place = queue_[first_];
+    const std::size_t brickIndex = queue_[first_];
     first_ = (first_ + 1) % queue_.size();
     --waiting_;
-    queued_[place] = 0;
-    return place;
+    queued_[brickIndex] = 0;
+    return brickIndex;
   }
 
-  void enter(std::size_t place) {
-    entered_ = place;
+  void enter(std::size_t brickIndex) {
+    entered_ = brickIndex;
     changed_ = false;
-    window_.load(*signs_, signs_->table().brick(place));
+    window_.load(*signs_, signs_->table().brick(brickIndex));
   }
   void leave() {
     if (changed_) queueAround(entered_);
@@ -83,7 +83,7 @@ class VertexFront {
   /// What became of the signs: bricks of a single one are shared again.
   void end() {
     Signs<D> tidy(signs_->lattice());
-    for (std::size_t place = 0; place < places(); ++place) tidy.put(place, signs_->brickAt(place));
+    for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) tidy.put(brickIndex, signs_->brickAt(brickIndex));
     *signs_ = std::move(tidy);
     *this = VertexFront();
   }
@@ -96,8 +96,8 @@ class VertexFront {
     return axis == 0 ? bit(row, x + side) : bit(row + side * Window<D>::rowStride(axis), x);
   }
   /// The open vertices of a row that have a neighbour of the other sign on an axis.
-  [[nodiscard]] uint32_t beside(std::size_t place, std::size_t r) const {
-    const uint32_t open = openRow(place, r);
+  [[nodiscard]] uint32_t beside(std::size_t brickIndex, std::size_t r) const {
+    const uint32_t open = openRow(brickIndex, r);
     if (open == 0) return 0;
     const int row = Window<D>::kOwnRows[r];
     const uint32_t mine = window_.rows[row];
@@ -107,7 +107,7 @@ class VertexFront {
   }
 
  private:
-  static constexpr uint64_t kBytesOfPlace = 1 + sizeof(std::size_t);  // queued, and in the queue
+  static constexpr uint64_t kBytesOfPosition = 1 + sizeof(std::size_t);  // queued, and in the queue
 
   /// The vertices of a row of a brick that the lattice has.
   static uint8_t inside(const Lattice<D>& lattice, const Coordinates<D>& at, std::size_t r) {
@@ -119,18 +119,18 @@ class VertexFront {
   }
   [[nodiscard]] bool bit(int row, int x) const { return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0; }
 
-  void queue(std::size_t place) {
-    if (queued_[place] != 0 || !open(place)) return;
-    queued_[place] = 1;
-    queue_[(first_ + waiting_++) % queue_.size()] = place;
+  void queue(std::size_t brickIndex) {
+    if (queued_[brickIndex] != 0 || !open(brickIndex)) return;
+    queued_[brickIndex] = 1;
+    queue_[(first_ + waiting_++) % queue_.size()] = brickIndex;
   }
-  [[gnu::noinline]] void queueAround(std::size_t place) {
+  [[gnu::noinline]] void queueAround(std::size_t brickIndex) {
     const auto& table = signs_->table();
-    const auto at = table.brick(place);
-    queue(place);
+    const auto at = table.brick(brickIndex);
+    queue(brickIndex);
     for (int a = 0; a < D; ++a) {
-      if (at[a] > 0) queue(place - table.stride(a));
-      if (at[a] + 1 < table.count(a)) queue(place + table.stride(a));
+      if (at[a] > 0) queue(brickIndex - table.stride(a));
+      if (at[a] + 1 < table.count(a)) queue(brickIndex + table.stride(a));
     }
   }
 

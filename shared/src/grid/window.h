@@ -70,10 +70,10 @@ class Window {
 
   /// Three a row of bricks; for one beyond the table another stands in until mirror images cover it.
   static Near bricksAround(const Signs<D>& signs, const Coordinates<D>& brick) {
-    const auto places = signs.table().around(brick);
-    const std::size_t own = places[places.size() / 2];
+    const auto brickIndices = signs.table().around(brick);
+    const std::size_t own = brickIndices[brickIndices.size() / 2];
     Near near;
-    for (std::size_t n = 0; n < near.size(); ++n) near[n] = signs.brickAt(places[n] == BrickTable<D>::kNowhere ? own : places[n]).rows.data();
+    for (std::size_t n = 0; n < near.size(); ++n) near[n] = signs.brickAt(brickIndices[n] == BrickTable<D>::kNowhere ? own : brickIndices[n]).rows.data();
     return near;
   }
 

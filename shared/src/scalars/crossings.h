@@ -42,13 +42,13 @@ uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coord
 template <int D, class Enter, class Visit>
 void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals, Enter enter, Visit visit) {
   Window<D> window;
-  for (std::size_t place = 0; place < marked.size(); ++place) {
-    if (marked[place] == 0) continue;
-    const auto brick = signs.table().brick(place);
+  for (std::size_t brickIndex = 0; brickIndex < marked.size(); ++brickIndex) {
+    if (marked[brickIndex] == 0) continue;
+    const auto brick = signs.table().brick(brickIndex);
     bool interior = true;
     for (int a = 0; a < D; ++a) interior = interior && brick[a] * kBrickSide + kBrickSide <= signs.lattice().last[a];
     window.load(signs, brick);
-    enter(place);
+    enter(brickIndex);
     for (unsigned axes = 1; axes < 1u << D; ++axes) {
       if (!diagonals && !std::has_single_bit(axes)) continue;
       for (unsigned r = 0; r < Window<D>::kOwnRows.size(); ++r) {

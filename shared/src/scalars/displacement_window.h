@@ -18,7 +18,7 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
   static int index(std::size_t block) { return kIndex[block]; }
 
   [[gnu::noinline]] void load(const Values& displacements, const BrickTable<D>& table, const Coordinates<D>& brick) {
-    this->gather(table, brick, displacements.nothing().data(), [&](std::size_t place) { return displacements.at(place).data(); });
+    this->gather(table, brick, displacements.nothing().data(), [&](std::size_t brickIndex) { return displacements.at(brickIndex).data(); });
   }
 
   /// Makes at() ready.
@@ -27,9 +27,9 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     std::copy(value.begin(), value.end(), padded.begin());
     std::array<Row, power(kSide, D - 1)> sums, weights;
     for (std::size_t r = 0; r < sums.size(); ++r) {
-      const Row blocks = __builtin_convertvector(blocksAt(&padded[r * kSide]), Row), told = blocks != Values::kNone;
-      sums[r] = alongRow(blocks & told);
-      weights[r] = alongRow(-told);
+      const Row blocks = __builtin_convertvector(blocksAt(&padded[r * kSide]), Row), coded = blocks != Values::kNone;
+      sums[r] = alongRow(blocks & coded);
+      weights[r] = alongRow(-coded);
     }
     interpolate(sums.data(), sums_.data());
     interpolate(weights.data(), weights_.data());

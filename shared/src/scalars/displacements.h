@@ -24,18 +24,18 @@ class Displacements {
   using Brick = std::array<int8_t, kBlocks>;
 
   Displacements() = default;
-  explicit Displacements(std::size_t places) : at_(places, 0), bricks_(1) { bricks_[0].fill(kNone); }
+  explicit Displacements(std::size_t brickIndices) : at_(brickIndices, 0), bricks_(1) { bricks_[0].fill(kNone); }
 
-  [[nodiscard]] std::size_t places() const { return at_.size(); }
-  [[nodiscard]] bool has(std::size_t place) const { return at_[place] != 0; }
-  [[nodiscard]] const Brick& at(std::size_t place) const { return bricks_[at_[place]]; }
+  [[nodiscard]] std::size_t tableSize() const { return at_.size(); }
+  [[nodiscard]] bool has(std::size_t brickIndex) const { return at_[brickIndex] != 0; }
+  [[nodiscard]] const Brick& at(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
   [[nodiscard]] const Brick& nothing() const { return bricks_[0]; }
-  Brick& writable(std::size_t place) {
-    if (at_[place] == 0) {
-      at_[place] = static_cast<uint32_t>(bricks_.size());
+  Brick& writable(std::size_t brickIndex) {
+    if (at_[brickIndex] == 0) {
+      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
       bricks_.push_back(bricks_[0]);
     }
-    return bricks_[at_[place]];
+    return bricks_[at_[brickIndex]];
   }
   /// Adds units to a block.
   static void move(int8_t& value, int units) { value = static_cast<int8_t>(std::clamp((value == kNone ? 0 : value) + units, -127, 127)); }
@@ -55,7 +55,7 @@ class Displacements {
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return at_.size() * sizeof(uint32_t) + memoryToGrow(bricks_); }
   /// With the first brick.
-  [[nodiscard]] static uint64_t memoryToBegin(uint64_t places) { return places * sizeof(uint32_t) + 3 * sizeof(Brick); }
+  [[nodiscard]] static uint64_t memoryToBegin(uint64_t brickIndices) { return brickIndices * sizeof(uint32_t) + 3 * sizeof(Brick); }
 
  private:
   std::vector<uint32_t> at_;  // 0: none

@@ -14,18 +14,18 @@ struct Interval {
   [[nodiscard]] bool bounded() const { return low > -kFar && high < kFar; }
   [[nodiscard]] uint32_t width() const { return static_cast<uint32_t>(high - low); }
   /// Twice its middle as seen from a level: what Scalars keep, at either sign.
-  [[nodiscard]] int32_t value(int32_t level) const { return low + high - 2 * level; }
+  [[nodiscard]] int32_t value(int32_t isoStep) const { return low + high - 2 * isoStep; }
   /// What is left of it on one side of a level. Not nothing, whatever a stranger's stream says.
-  [[nodiscard]] Interval cut(int32_t level, bool above) const {
-    if (above) return {std::max(low, level), std::max(high, std::max(low, level) + 1)};
-    return {std::min(low, std::min(high, level) - 1), std::min(high, level)};
+  [[nodiscard]] Interval cut(int32_t isoStep, bool above) const {
+    if (above) return {std::max(low, isoStep), std::max(high, std::max(low, isoStep) + 1)};
+    return {std::min(low, std::min(high, isoStep) - 1), std::min(high, isoStep)};
   }
   /// Of a magnitude as Scalars keep it, seen from a level.
-  [[nodiscard]] static Interval of(int32_t value, int32_t level) {
+  [[nodiscard]] static Interval of(int32_t value, int32_t isoStep) {
     const auto middle = static_cast<uint32_t>(std::abs(value));
     const auto low = static_cast<int32_t>((middle & (middle - 1)) / 2), high = low + (int32_t{1} << std::countr_zero(middle));
     const Interval interval = value > 0 ? Interval{low, high} : Interval{-high, -low};
-    return {std::clamp(interval.low + level, -kFar, kFar), std::clamp(interval.high + level, -kFar, kFar)};
+    return {std::clamp(interval.low + isoStep, -kFar, kFar), std::clamp(interval.high + isoStep, -kFar, kFar)};
   }
 };
 
@@ -36,30 +36,30 @@ class Intervals {
   using Brick = std::array<Interval, Scalars<D>::kVertices>;
 
   Intervals() = default;
-  explicit Intervals(std::size_t places) : at_(places, kNone) { bricks_.add({}); }
+  explicit Intervals(std::size_t brickIndices) : at_(brickIndices, kNone) { bricks_.add({}); }
 
-  [[nodiscard]] std::size_t places() const { return at_.size(); }
-  [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
-  [[nodiscard]] const Brick& at(std::size_t place) const { return bricks_[at_[place]]; }
-  Brick& writable(std::size_t place) {
-    if (at_[place] == kNone) {
-      at_[place] = static_cast<uint32_t>(bricks_.size());
+  [[nodiscard]] std::size_t tableSize() const { return at_.size(); }
+  [[nodiscard]] bool has(std::size_t brickIndex) const { return at_[brickIndex] != kNone; }
+  [[nodiscard]] const Brick& at(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
+  Brick& writable(std::size_t brickIndex) {
+    if (at_[brickIndex] == kNone) {
+      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
       bricks_.add({});
     }
-    return bricks_[at_[place]];
+    return bricks_[at_[brickIndex]];
   }
   /// Takes over what scalars tell that count from a level, where nothing is known yet.
-  void add(std::size_t place, const typename Scalars<D>::Brick& scalars, int32_t level) {
-    Brick& brick = writable(place);
+  void add(std::size_t brickIndex, const typename Scalars<D>::Brick& scalars, int32_t isoStep) {
+    Brick& brick = writable(brickIndex);
     for (std::size_t v = 0; v < brick.size(); ++v) {
-      if (scalars.knows(v) && !brick[v].bounded()) brick[v] = Interval::of(scalars.value[v], level);
+      if (scalars.knows(v) && !brick[v].bounded()) brick[v] = Interval::of(scalars.value[v], isoStep);
     }
   }
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
   /// With so many bricks, while one more is made.
-  [[nodiscard]] static uint64_t memoryOf(uint64_t places, uint64_t bricks) {
-    return places * sizeof(uint32_t) + (bricks + 2) * (sizeof(Brick) + Scalars<D>::kLink);
+  [[nodiscard]] static uint64_t memoryOf(uint64_t brickIndices, uint64_t bricks) {
+    return brickIndices * sizeof(uint32_t) + (bricks + 2) * (sizeof(Brick) + Scalars<D>::kLink);
   }
   [[nodiscard]] std::size_t brickCount() const { return bricks_.size(); }
 

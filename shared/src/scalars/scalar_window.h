@@ -14,7 +14,7 @@ struct ScalarWindow : HaloWindow<D, int32_t, kBrickSide> {
   static int index(std::size_t r, int x) { return kRowIndex[r] + x; }
 
   void load(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& brick) {
-    this->gather(table, brick, scalars.nothing().value.data(), [&](std::size_t place) { return scalars.at(place).value.data(); });
+    this->gather(table, brick, scalars.nothing().value.data(), [&](std::size_t brickIndex) { return scalars.at(brickIndex).value.data(); });
   }
 
  private:

@@ -39,26 +39,26 @@ class Scalars {
   };
 
   Scalars() = default;
-  explicit Scalars(std::size_t places) : at_(places, kNone), gradient_(places, kNoGradient) {
+  explicit Scalars(std::size_t brickIndices) : at_(brickIndices, kNone), gradient_(brickIndices, kNoGradient) {
     bricks_.add({});
     bricks_[kNone].value.fill(kUnknown);
   }
 
-  [[nodiscard]] std::size_t places() const { return at_.size(); }
-  [[nodiscard]] bool has(std::size_t place) const { return at_[place] != kNone; }
-  [[nodiscard]] const Brick& at(std::size_t place) const { return bricks_[at_[place]]; }
+  [[nodiscard]] std::size_t tableSize() const { return at_.size(); }
+  [[nodiscard]] bool has(std::size_t brickIndex) const { return at_[brickIndex] != kNone; }
+  [[nodiscard]] const Brick& at(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
   [[nodiscard]] const Brick& nothing() const { return bricks_[kNone]; }
-  Brick& writable(std::size_t place) {
-    if (at_[place] == kNone) {
-      at_[place] = static_cast<uint32_t>(bricks_.size());
+  Brick& writable(std::size_t brickIndex) {
+    if (at_[brickIndex] == kNone) {
+      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
       bricks_.add(bricks_[kNone]);
     }
-    return bricks_[at_[place]];
+    return bricks_[at_[brickIndex]];
   }
   /// The typical difference of scalars along a crossing edge of the brick, as 4 log2 of quanta.
-  [[nodiscard]] int gradient(std::size_t place) const { return gradient_[place]; }
-  [[nodiscard]] bool hasGradient(std::size_t place) const { return gradient_[place] != kNoGradient; }
-  void setGradient(std::size_t place, int quarterOctaves) { gradient_[place] = static_cast<uint8_t>(quarterOctaves); }
+  [[nodiscard]] int gradient(std::size_t brickIndex) const { return gradient_[brickIndex]; }
+  [[nodiscard]] bool hasGradient(std::size_t brickIndex) const { return gradient_[brickIndex] != kNoGradient; }
+  void setGradient(std::size_t brickIndex, int log2Quarters) { gradient_[brickIndex] = static_cast<uint8_t>(log2Quarters); }
   /// Multiplies all values by the power of two that leaves room, 2^12 at the most, and tells which.
   int magnify() {
     int32_t largest = 1;
@@ -79,7 +79,7 @@ class Scalars {
   /// Bytes in use, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
   /// With so many bricks that know something, while one more is made.
-  [[nodiscard]] static uint64_t memoryOf(uint64_t places, uint64_t bricks) { return places * 5 + (bricks + 2) * (sizeof(Brick) + kLink); }
+  [[nodiscard]] static uint64_t memoryOf(uint64_t brickIndices, uint64_t bricks) { return brickIndices * 5 + (bricks + 2) * (sizeof(Brick) + kLink); }
 
  private:
   static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing

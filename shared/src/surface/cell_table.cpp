@@ -55,7 +55,7 @@ unsigned facesOf(const CellEdge& e) {
 }
 
 /// Cuts a polygon into triangles without a diagonal inside a face: such a one would meet its like in the next cell.
-ISOSTAR_SELDOM bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
+ISOSTAR_COLD bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
   const std::size_t n = polygon.size();
   if (n == 3) {
     result.add({polygon[0], polygon[1], polygon[2]});
@@ -74,7 +74,7 @@ ISOSTAR_SELDOM bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
   return false;
 }
 
-ISOSTAR_SELDOM CellCase cubesCase(unsigned signs) {
+ISOSTAR_COLD CellCase cubesCase(unsigned signs) {
   std::vector<Segment> segments;
   for (unsigned axis = 0; axis < 3; ++axis) {
     for (const bool far : {false, true}) cutFace(signs, faceCorners(axis, far), segments);
@@ -101,14 +101,14 @@ double volume(const Point& a, const Point& b, const Point& c) {
 }
 
 /// One triangle, turned so that the positive corner is behind it.
-ISOSTAR_SELDOM void addTriangle(CellCase& result, std::array<CellEdge, 3> edges, unsigned positiveCorner) {
+ISOSTAR_COLD void addTriangle(CellCase& result, std::array<CellEdge, 3> edges, unsigned positiveCorner) {
   const Point corner{double(positiveCorner & 1), double(positiveCorner >> 1 & 1), double(positiveCorner >> 2 & 1)};
   const Point a = middle(edges[0]), b = middle(edges[1]), c = middle(edges[2]);
   if (volume(minus(b, a), minus(c, a), minus(corner, a)) > 0) std::swap(edges[1], edges[2]);
   result.add({result.number(edges[0]), result.number(edges[1]), result.number(edges[2])});
 }
 
-ISOSTAR_SELDOM CellCase tetrahedraCase(unsigned signs, unsigned parity) {
+ISOSTAR_COLD CellCase tetrahedraCase(unsigned signs, unsigned parity) {
   CellCase result;
   std::array<unsigned, 3> axes{0, 1, 2};
   do {
@@ -130,7 +130,7 @@ ISOSTAR_SELDOM CellCase tetrahedraCase(unsigned signs, unsigned parity) {
 }
 
 template <class MakeCase>
-ISOSTAR_SELDOM CellTable tabulate(MakeCase makeCase) {
+ISOSTAR_COLD CellTable tabulate(MakeCase makeCase) {
   CellTable table;
   for (unsigned signs = 0; signs < 256; ++signs) table[signs] = makeCase(signs);
   return table;
@@ -138,7 +138,7 @@ ISOSTAR_SELDOM CellTable tabulate(MakeCase makeCase) {
 
 }  // namespace
 
-ISOSTAR_SELDOM const CellTable& cellTable(Polygonizer polygonizer, unsigned parity) {
+ISOSTAR_COLD const CellTable& cellTable(Polygonizer polygonizer, unsigned parity) {
   if (polygonizer == Polygonizer::Cubes) {
     static const CellTable kCubes = tabulate(cubesCase);
     return kCubes;

@@ -13,20 +13,20 @@ struct EdgeIndex {
 
 class Tracing {
  public:
-  static constexpr uint64_t kBytesOfPlace = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+  static constexpr uint64_t kBytesOfPosition = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
 
   Tracing(const Surface<2>& surface, const MeshOptions& options, Contours& out)
       : surface_(surface), signs_(surface.signs), options_(options), out_(out), active_(activeBricks(signs_)), slot_(active_.size()) {}
 
   Error run(const Limits& limits) {
     uint32_t bricks = 0;
-    forActive([&](std::size_t place) { slot_[place] = bricks++; });
-    const uint64_t held = kBytesOfPlace * active_.size() + bricks * uint64_t{sizeof(EdgeIndex)};
+    forActive([&](std::size_t brickIndex) { slot_[brickIndex] = bricks++; });
+    const uint64_t held = kBytesOfPosition * active_.size() + bricks * uint64_t{sizeof(EdgeIndex)};
     if (held > limits.memory) return Error::OverLimit;
     index_.resize(bricks);
     bool within = true;
-    forActive([&](std::size_t place) {
-      if (within) countEdges(place);
+    forActive([&](std::size_t brickIndex) {
+      if (within) countEdges(brickIndex);
       within = points_ <= std::min(limits.vertices, kMostPoints);
     });
     if (!within || held + points_ * kBytesOfPoint > limits.memory) return Error::OverLimit;
@@ -34,8 +34,8 @@ class Tracing {
     out_.points.reserve(points_ * 2);
     next_.assign(points_, kNone);
     begins_.assign(points_, true);
-    forActive([&](std::size_t place) { placePoints(place); });
-    forActive([&](std::size_t place) { cutCells(place); });
+    forActive([&](std::size_t brickIndex) { placePoints(brickIndex); });
+    forActive([&](std::size_t brickIndex) { cutCells(brickIndex); });
     out_.positiveCorner = signs_.at({0, 0});
     for (uint32_t id = 0; id < points_; ++id) {
       if (begins_[id]) follow(id);
@@ -54,8 +54,8 @@ class Tracing {
 
   template <class Visit>
   void forActive(Visit visit) const {
-    for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] != 0) visit(place);
+    for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+      if (active_[brickIndex] != 0) visit(brickIndex);
     }
   }
   template <class Visit>
@@ -66,29 +66,29 @@ class Tracing {
     }
   }
 
-  void countEdges(std::size_t place) {
-    const auto brick = signs_.table().brick(place);
+  void countEdges(std::size_t brickIndex) {
+    const auto brick = signs_.table().brick(brickIndex);
     window_.load(signs_, brick);
     forEdges([&](unsigned axes, unsigned r) {
       const uint32_t crossed = crossedEdges(window_, Window<2>::kOwnRows[r], r, axes) & edgesInside(signs_.lattice(), brick, r, axes);
-      index_[slot_[place]].crossed[axes][r] = crossed;
-      index_[slot_[place]].first[axes][r] = points_;
+      index_[slot_[brickIndex]].crossed[axes][r] = crossed;
+      index_[slot_[brickIndex]].first[axes][r] = points_;
       points_ += static_cast<uint32_t>(std::popcount(crossed));
     });
   }
 
-  void placePoints(std::size_t place) {
-    const auto brick = signs_.table().brick(place);
+  void placePoints(std::size_t brickIndex) {
+    const auto brick = signs_.table().brick(brickIndex);
     scalars_.load(surface_.scalars, signs_.table(), brick);
     forEdges([&](unsigned axes, unsigned r) {
-      uint32_t id = index_[slot_[place]].first[axes][r];
-      for (uint32_t open = index_[slot_[place]].crossed[axes][r]; open != 0; open &= open - 1) {
-        placePoint(EdgeEnds<2>(brick, r, static_cast<unsigned>(std::countr_zero(open)), axes), id++);
+      uint32_t id = index_[slot_[brickIndex]].first[axes][r];
+      for (uint32_t open = index_[slot_[brickIndex]].crossed[axes][r]; open != 0; open &= open - 1) {
+        pointAt(EdgeEnds<2>(brick, r, static_cast<unsigned>(std::countr_zero(open)), axes), id++);
       }
     });
   }
 
-  void placePoint(const EdgeEnds<2>& ends, uint32_t id) {
+  void pointAt(const EdgeEnds<2>& ends, uint32_t id) {
     const double from = surface_.size(scalars_.value[static_cast<std::size_t>(ends.evenAt)]);
     const double to = surface_.size(scalars_.value[static_cast<std::size_t>(ends.oddAt)]);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
@@ -101,8 +101,8 @@ class Tracing {
     }
   }
 
-  void cutCells(std::size_t place) {
-    const auto brick = signs_.table().brick(place);
+  void cutCells(std::size_t brickIndex) {
+    const auto brick = signs_.table().brick(brickIndex);
     window_.load(signs_, brick);
     for (unsigned r = 0; r < kBrickSide; ++r) {
       const uint32_t low = window_.rows[Window<2>::kOwnRows[r]], high = window_.rows[Window<2>::kOwnRows[r] + 1];
@@ -143,7 +143,7 @@ class Tracing {
   [[nodiscard]] uint32_t point(const Coordinates<2>& cell, unsigned a, unsigned b) const {
     const unsigned corner = a & b, axes = a ^ b;
     const int32_t x = cell[0] + static_cast<int32_t>(corner & 1), y = cell[1] + static_cast<int32_t>(corner >> 1);
-    const EdgeIndex& index = index_[slot_[signs_.table().place({x / kBrickSide, y / kBrickSide})]];
+    const EdgeIndex& index = index_[slot_[signs_.table().index({x / kBrickSide, y / kBrickSide})]];
     const auto row = static_cast<std::size_t>(y % kBrickSide);
     return index.first[axes][row] + static_cast<uint32_t>(std::popcount(index.crossed[axes][row] & ((1u << x % kBrickSide) - 1)));
   }
@@ -179,7 +179,7 @@ class Tracing {
 
 Error polygonize(const Surface<2>& surface, const MeshOptions& options, const Limits& limits, Contours& out) {
   out = {};
-  if (Tracing::kBytesOfPlace * surface.signs.table().total() > limits.memory) return Error::OverLimit;
+  if (Tracing::kBytesOfPosition * surface.signs.table().total() > limits.memory) return Error::OverLimit;
   return Tracing(surface, options, out).run(limits);
 }
 

@@ -16,11 +16,11 @@ using BrickWords = decltype(VertexSet<3>::words);
 class CornerSigns {
  public:
   /// Not copied to each place that calls it: a page's decoder is to be small.
-  [[gnu::noinline]] CornerSigns(const Signs<3>& signs, std::size_t place) {
+  [[gnu::noinline]] CornerSigns(const Signs<3>& signs, std::size_t brickIndex) {
     const auto& table = signs.table();
-    const auto brick = table.brick(place);
+    const auto brick = table.brick(brickIndex);
     for (unsigned c = 0; c < 8; ++c) {
-      std::size_t other = place;
+      std::size_t other = brickIndex;
       for (int a = 0; a < 3; ++a) other += (c >> a & 1) != 0 && brick[a] + 1 < table.count(a) ? table.stride(a) : 0;
       words_[c] = wordsOf(signs.brickAt(other));
     }

@@ -46,7 +46,7 @@ class Frames {
   [[nodiscard]] glm::dvec3 sample(const Coordinates<3>& v) const {
     return {lattice_.sample(0, v[0]), lattice_.sample(1, v[1]), lattice_.sample(2, v[2])};
   }
-  [[nodiscard]] glm::dvec3 place(const glm::dvec3& sample) const { return world_ ? origin_ + matrix_ * sample : sample; }
+  [[nodiscard]] glm::dvec3 index(const glm::dvec3& sample) const { return world_ ? origin_ + matrix_ * sample : sample; }
   [[nodiscard]] glm::dvec3 normal(const glm::dvec3& gradient) const { return world_ ? gradient_ * gradient : gradient; }
   [[nodiscard]] bool mirrors() const { return world_ && glm::determinant(matrix_) < 0; }
 
@@ -59,7 +59,7 @@ class Frames {
 
 class Polygonization {
  public:
-  static constexpr uint64_t kBytesOfPlace = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+  static constexpr uint64_t kBytesOfPosition = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
 
   /// `depth`: of each vertex inside the surface's domain, if that is not the box.
   Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out, std::vector<float>& depth)
@@ -74,15 +74,15 @@ class Polygonization {
 
   Error run() {
     uint32_t bricks = 0;
-    for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] != 0) slot_[place] = bricks++;
+    for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+      if (active_[brickIndex] != 0) slot_[brickIndex] = bricks++;
     }
-    held_ = kBytesOfPlace * active_.size() + bricks * sets() * sizeof(EdgeIndex);
+    held_ = kBytesOfPosition * active_.size() + bricks * sets() * sizeof(EdgeIndex);
     if (held_ > limits_.memory) return Error::OverLimit;
     index_.resize(bricks * sets());
-    for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] == 0) continue;
-      countEdges(place);
+    for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+      if (active_[brickIndex] == 0) continue;
+      countEdges(brickIndex);
       if (vertices_ > std::min(limits_.vertices, kMostVertices)) return Error::OverLimit;
     }
     const bool ends = surface_.domain != nullptr;
@@ -91,11 +91,11 @@ class Polygonization {
     out_.positions.reserve(vertices_ * 3);
     if (options_.normals) out_.normals.reserve(vertices_ * 3);
     if (ends) depth_.resize(vertices_);
-    for (std::size_t place = 0; place < active_.size(); ++place) {
-      if (active_[place] == 0) continue;
-      placeVertices(place);
-      findVerticesAhead(place);
-      if (!cutCells(place)) return Error::OverLimit;
+    for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+      if (active_[brickIndex] == 0) continue;
+      placeVertices(brickIndex);
+      findVerticesAhead(brickIndex);
+      if (!cutCells(brickIndex)) return Error::OverLimit;
     }
     out_.triangles.resize(corners_);
     return Error::None;
@@ -116,15 +116,15 @@ class Polygonization {
     if (polygonizer == Polygonizer::Cubes) return {0, 0, 1, 0, 2, 0, 0, 0};
     return {0, 0, 1, 2, 3, 4, 5, 6};
   }
-  [[nodiscard]] EdgeIndex* indexOf(std::size_t place) { return &index_[slot_[place] * sets()]; }
+  [[nodiscard]] EdgeIndex* indexOf(std::size_t brickIndex) { return &index_[slot_[brickIndex] * sets()]; }
 
-  void countEdges(std::size_t place) {
-    const auto brick = signs_.table().brick(place);
-    const CornerSigns corners(signs_, place);
+  void countEdges(std::size_t brickIndex) {
+    const auto brick = signs_.table().brick(brickIndex);
+    const CornerSigns corners(signs_, brickIndex);
     auto number = static_cast<uint32_t>(vertices_);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
-      EdgeIndex& index = indexOf(place)[number_[axes]];
+      EdgeIndex& index = indexOf(brickIndex)[number_[axes]];
       const auto inside = insideOf(lattice_, brick, axes);
       for (unsigned z = 0; z < kPlanes; ++z) {
         const uint64_t crossed = corners.crossedEdges(axes, z) & inside[z];
@@ -143,18 +143,18 @@ class Polygonization {
   [[nodiscard]] double scalar(int at) const { return scalars_.value[at] >= 0 ? size(at) : -size(at); }
   [[nodiscard]] bool known(int at) const { return scalars_.value[at] != Scalars<3>::kUnknown; }
 
-  void placeVertices(std::size_t place) {
-    const auto brick = signs_.table().brick(place);
+  void placeVertices(std::size_t brickIndex) {
+    const auto brick = signs_.table().brick(brickIndex);
     scalars_.load(surface_.scalars, signs_.table(), brick);
     if (surface_.domain != nullptr) domain_.load(*surface_.domain, signs_.table(), brick);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
       for (unsigned z = 0; z < kPlanes; ++z) {
-        auto [open, id] = indexOf(place)[number_[axes]].planes[z];
+        auto [open, id] = indexOf(brickIndex)[number_[axes]].planes[z];
         grow(id + static_cast<uint32_t>(std::popcount(open)));
         for (; open != 0; open &= open - 1, ++id) {
           const auto at = static_cast<unsigned>(std::countr_zero(open));
-          ids_[EdgePlaces::at(axes, at % kBrickSide, at / kBrickSide, z)] = id;
+          ids_[EdgePositions::at(axes, at % kBrickSide, at / kBrickSide, z)] = id;
           placeVertex(brick, axes, z, at, id);
         }
       }
@@ -172,7 +172,7 @@ class Polygonization {
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
-    write(out_.positions, id, frames_.place(start + t * (end - start)));
+    write(out_.positions, id, frames_.index(start + t * (end - start)));
     if (surface_.domain != nullptr) depth_[id] = static_cast<float>(depthOf(ends, t));
     if (!options_.normals) return;
     glm::dvec3 gradient;
@@ -189,11 +189,11 @@ class Polygonization {
   /// corner of the cell stands in for them, so that only cells are cut which the domain's boundary crosses.
   [[nodiscard]] double depthOf(const EdgeEnds<3>& ends, double t) const {
     const auto& depth = domain_.value;
-    const auto toldAt = [&](int at, int otherEnd) {
+    const auto codedAt = [&](int at, int otherEnd) {
       const int beside = ends.evenAt + ends.odd[0] - ends.even[0];  // if neither is told, all other corners are
       return depth[at] != Scalars<3>::kUnknown ? at : depth[otherEnd] != Scalars<3>::kUnknown ? otherEnd : beside;
     };
-    const double even = depth[toldAt(ends.evenAt, ends.oddAt)], odd = depth[toldAt(ends.oddAt, ends.evenAt)];
+    const double even = depth[codedAt(ends.evenAt, ends.oddAt)], odd = depth[codedAt(ends.oddAt, ends.evenAt)];
     return even + t * (odd - even);
   }
 
@@ -230,11 +230,11 @@ class Polygonization {
   }
 
   /// The vertices of the next bricks that this one's last cells need.
-  void findVerticesAhead(std::size_t place) {
+  void findVerticesAhead(std::size_t brickIndex) {
     constexpr uint64_t kFirstColumn = 0x0101010101010101, kFirstRow = 0xFF;
-    const auto brick = signs_.table().brick(place);
+    const auto brick = signs_.table().brick(brickIndex);
     for (unsigned ahead = 1; ahead < 8; ++ahead) {
-      std::size_t other = place;
+      std::size_t other = brickIndex;
       bool inside = true;
       for (int a = 0; a < 3; ++a) {
         if ((ahead >> a & 1) == 0) continue;
@@ -250,7 +250,7 @@ class Polygonization {
         for (unsigned z = 0; z < ((ahead & 4) != 0 ? 1 : kPlanes); ++z) {
           for (uint64_t open = index.planes[z].crossed & facing; open != 0; open &= open - 1) {
             const auto at = static_cast<unsigned>(std::countr_zero(open));
-            ids_[EdgePlaces::at(axes, x + at % kBrickSide, y + at / kBrickSide, firstZ + z)] = index.vertex(z, at);
+            ids_[EdgePositions::at(axes, x + at % kBrickSide, y + at / kBrickSide, firstZ + z)] = index.vertex(z, at);
           }
         }
       }
@@ -258,9 +258,9 @@ class Polygonization {
   }
 
   /// False where the limit has no room for the triangles.
-  bool cutCells(std::size_t place) {
-    const auto brick = signs_.table().brick(place);
-    const CornerSigns corners(signs_, place);
+  bool cutCells(std::size_t brickIndex) {
+    const auto brick = signs_.table().brick(brickIndex);
+    const CornerSigns corners(signs_, brickIndex);
     const auto inside = insideOf(lattice_, brick, 7);
     for (unsigned z = 0; z < kPlanes; ++z) {
       uint64_t open = corners.crossedCells(z) & inside[z];
@@ -280,7 +280,7 @@ class Polygonization {
     constexpr std::size_t kAlways = 6;
     const std::size_t parity = ((x & 1) | (y & 1) << 1 | (z & 1) << 2) & (parities() - 1);
     const CellCut& cut = cuts_[parity * 256 + signs];
-    const uint32_t* ids = &ids_[EdgePlaces::at(1, x, y, z)];
+    const uint32_t* ids = &ids_[EdgePositions::at(1, x, y, z)];
     uint32_t* next = out_.triangles.data() + corners_;
     for (std::size_t i = 0; i < kAlways; ++i) next[i] = ids[cut.edges[i]];
     for (std::size_t i = kAlways; i < cut.corners; ++i) next[i] = ids[cut.edges[i]];
@@ -301,7 +301,7 @@ class Polygonization {
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
   std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);  // of a set of axes
-  std::array<uint32_t, EdgePlaces::kCount> ids_{};  // of the vertices around the brick in work
+  std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the brick in work
   std::vector<EdgeIndex> index_;                                          // by brick, then by set of axes
   uint64_t vertices_ = 0;
   std::size_t corners_ = 0;  // of triangles, so far
@@ -312,7 +312,7 @@ class Polygonization {
 
 Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out) {
   out = {};
-  if (Polygonization::kBytesOfPlace * surface.signs.table().total() > limits.memory) return Error::OverLimit;
+  if (Polygonization::kBytesOfPosition * surface.signs.table().total() > limits.memory) return Error::OverLimit;
   std::vector<float> depth;
   Error error = Polygonization(surface, options, limits, out, depth).run();
   if (error == Error::None && surface.domain != nullptr) error = trim(depth, limits, out);

@@ -13,17 +13,17 @@ class Plane {
       : surface_(surface), first_(static_cast<std::size_t>(plane / kBrickSide) * surface.signs.table().stride(3)),
         local_(static_cast<std::size_t>(plane % kBrickSide)) {}
 
-  [[nodiscard]] Brick<3> signs(std::size_t place) const {
-    const auto& rows = surface_.signs.brickAt(first_ + place).rows;
+  [[nodiscard]] Brick<3> signs(std::size_t brickIndex) const {
+    const auto& rows = surface_.signs.brickAt(first_ + brickIndex).rows;
     Brick<3> brick;
     std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(local_ * brick.rows.size()), brick.rows.size(), brick.rows.begin());
     return brick;
   }
-  [[nodiscard]] bool has(std::size_t place) const { return surface_.scalars.has(first_ + place); }
-  [[nodiscard]] int gradient(std::size_t place) const { return surface_.scalars.gradient(first_ + place); }
+  [[nodiscard]] bool has(std::size_t brickIndex) const { return surface_.scalars.has(first_ + brickIndex); }
+  [[nodiscard]] int gradient(std::size_t brickIndex) const { return surface_.scalars.gradient(first_ + brickIndex); }
   /// As Scalars keep them.
-  [[nodiscard]] const int32_t* values(std::size_t place) const {
-    return surface_.scalars.at(first_ + place).value.data() + local_ * Scalars<3>::kVertices;
+  [[nodiscard]] const int32_t* values(std::size_t brickIndex) const {
+    return surface_.scalars.at(first_ + brickIndex).value.data() + local_ * Scalars<3>::kVertices;
   }
 
  private:
@@ -32,11 +32,11 @@ class Plane {
 };
 
 void copyPlane(const Plane& plane, TimeSlice& slice) {
-  for (std::size_t place = 0; place < slice.signs.table().total(); ++place) {
-    slice.signs.put(place, plane.signs(place));
-    if (!plane.has(place)) continue;
-    slice.scalars.setGradient(place, plane.gradient(place));
-    std::copy_n(plane.values(place), Scalars<3>::kVertices, slice.scalars.writable(place).value.begin());
+  for (std::size_t brickIndex = 0; brickIndex < slice.signs.table().total(); ++brickIndex) {
+    slice.signs.put(brickIndex, plane.signs(brickIndex));
+    if (!plane.has(brickIndex)) continue;
+    slice.scalars.setGradient(brickIndex, plane.gradient(brickIndex));
+    std::copy_n(plane.values(brickIndex), Scalars<3>::kVertices, slice.scalars.writable(brickIndex).value.begin());
   }
 }
 
@@ -47,18 +47,18 @@ class Blend {
       : surface_(surface), before_(before), after_(after), share_(share) {}
 
   void into(TimeSlice& slice) {
-    const std::size_t places = slice.signs.table().total();
+    const std::size_t brickIndices = slice.signs.table().total();
     double largest = 1;
-    for (std::size_t place = 0; place < places; ++place) {
-      forKnown(place, [&](std::size_t, double scalar) { largest = std::max(largest, std::abs(scalar)); });
+    for (std::size_t brickIndex = 0; brickIndex < brickIndices; ++brickIndex) {
+      forKnown(brickIndex, [&](std::size_t, double scalar) { largest = std::max(largest, std::abs(scalar)); });
     }
     const int finer = std::clamp(29 - std::ilogb(largest), 0, 12);
-    for (std::size_t place = 0; place < places; ++place) {
+    for (std::size_t brickIndex = 0; brickIndex < brickIndices; ++brickIndex) {
       // Where nothing is known of either plane both have the same sign.
-      Brick<3> signs = before_.signs(place);
-      if (before_.has(place) || after_.has(place)) {
-        auto& values = slice.scalars.writable(place).value;
-        forKnown(place, [&](std::size_t v, double scalar) {
+      Brick<3> signs = before_.signs(brickIndex);
+      if (before_.has(brickIndex) || after_.has(brickIndex)) {
+        auto& values = slice.scalars.writable(brickIndex).value;
+        forKnown(brickIndex, [&](std::size_t v, double scalar) {
           const auto size = static_cast<int32_t>(std::max(1L, std::lround(std::ldexp(std::abs(scalar), finer))));
           values[v] = scalar > 0 ? size : -size;
           const auto bit = static_cast<uint8_t>(1u << v % kBrickSide);
@@ -66,17 +66,17 @@ class Blend {
           row = static_cast<uint8_t>(scalar > 0 ? row | bit : row & ~bit);
         });
       }
-      slice.signs.put(place, signs);
+      slice.signs.put(brickIndex, signs);
     }
   }
 
  private:
   /// Calls visit(vertex, scalar) where a scalar is known; in half quanta, and never zero on the wrong side.
   template <class Visit>
-  void forKnown(std::size_t place, Visit visit) const {
-    if (!before_.has(place) && !after_.has(place)) return;
-    const int32_t* a = before_.values(place);
-    const int32_t* b = after_.values(place);
+  void forKnown(std::size_t brickIndex, Visit visit) const {
+    if (!before_.has(brickIndex) && !after_.has(brickIndex)) return;
+    const int32_t* a = before_.values(brickIndex);
+    const int32_t* b = after_.values(brickIndex);
     for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
       const bool first = a[v] != Scalars<3>::kUnknown, second = b[v] != Scalars<3>::kUnknown;
       if (first && second) visit(v, (1 - share_) * scalar(a[v]) + share_ * scalar(b[v]));
@@ -111,8 +111,8 @@ TimeSlice sliceAt(const Surface<4>& surface, double time) {
 }
 
 uint64_t memoryToSlice(const Surface<4>& surface) {
-  const uint64_t places = surface.signs.table().stride(3), known = surface.scalars.brickCount();
-  return Signs<3>::memoryToFill(places, surface.signs.brickCount() + known) + Scalars<3>::memoryOf(places, std::min(places, known));
+  const uint64_t brickIndices = surface.signs.table().stride(3), known = surface.scalars.brickCount();
+  return Signs<3>::memoryToFill(brickIndices, surface.signs.brickCount() + known) + Scalars<3>::memoryOf(brickIndices, std::min(brickIndices, known));
 }
 
 }  // namespace isostar

@@ -13,7 +13,7 @@ class Trimming {
  public:
   Trimming(const std::vector<float>& values, const Limits& limits, Mesh& mesh) : values_(values), limits_(limits), mesh_(mesh) {}
 
-  ISOSTAR_SELDOM Error run() {
+  ISOSTAR_COLD Error run() {
     std::size_t whole = 0, cut = 0;
     for (std::size_t t = 0; t < mesh_.triangles.size(); t += 3) {
       const int kept = keeps(mesh_.triangles[t]) + keeps(mesh_.triangles[t + 1]) + keeps(mesh_.triangles[t + 2]);
@@ -45,7 +45,7 @@ class Trimming {
 
   [[nodiscard]] bool keeps(uint32_t vertex) const { return values_[vertex] >= 0; }
 
-  ISOSTAR_SELDOM void number() {
+  ISOSTAR_COLD void number() {
     numbers_.resize(values_.size());
     last_.assign(values_.size(), kNone);
     for (uint32_t v = 0; v < values_.size(); ++v) {
@@ -54,7 +54,7 @@ class Trimming {
   }
 
   /// The vertex on an edge that is cut; they are numbered behind those kept.
-  ISOSTAR_SELDOM uint32_t onEdge(uint32_t kept, uint32_t other) {
+  ISOSTAR_COLD uint32_t onEdge(uint32_t kept, uint32_t other) {
     if (!keeps(kept)) std::swap(kept, other);
     for (uint32_t e = last_[kept]; e != kNone; e = edges_[e].before) {
       if (edges_[e].other == other) return kept_ + e;
@@ -66,7 +66,7 @@ class Trimming {
   }
 
   /// What is kept of a triangle is a polygon of at most four corners.
-  ISOSTAR_SELDOM void cutTriangles(std::size_t most) {
+  ISOSTAR_COLD void cutTriangles(std::size_t most) {
     std::vector<uint32_t> to(3 * most);
     std::size_t count = 0;
     for (std::size_t t = 0; t < mesh_.triangles.size(); t += 3) {
@@ -88,7 +88,7 @@ class Trimming {
   }
 
   /// Positions, or unit normals, of the vertices kept, then of those on edges.
-  ISOSTAR_SELDOM void moveVertices(std::vector<float>& values, bool unit) const {
+  ISOSTAR_COLD void moveVertices(std::vector<float>& values, bool unit) const {
     std::vector<float> moved(3 * (kept_ + edges_.size()));
     float* to = moved.data();
     for (uint32_t v = 0; v < values_.size(); ++v) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #ifdef __EMSCRIPTEN__
-#define ISOSTAR_SELDOM [[clang::minsize, gnu::noinline]]
+#define ISOSTAR_COLD [[clang::minsize, gnu::noinline]]
 #define ISOSTAR_OFTEN
 #else
-#define ISOSTAR_SELDOM
+#define ISOSTAR_COLD
 #define ISOSTAR_OFTEN [[gnu::always_inline]]  // of an innermost loop: 1 % of decoding, but in WebAssembly none
 #endif

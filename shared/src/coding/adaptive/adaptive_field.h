@@ -20,32 +20,32 @@ class AdaptiveField {
 
   AdaptiveMesh<D> mesh;
   Displacements<D> coarserDisplacements;  // of the octave before the last one, where no scalars are known
-  Kernel kernel = Kernel::Middle, coarserKernel = Kernel::Middle;  // place the last octave's surface where no scalars are known, and others'
+  SmoothingFilter filter = SmoothingFilter::Middle, coarserFilter = SmoothingFilter::Middle;  // place the last octave's surface where no scalars are known, and others'
 
   /// Octaves whose scalars have been told.
-  [[nodiscard]] int told() const { return static_cast<int>(octaves_.size()); }
-  [[nodiscard]] const AdaptiveOctave<D>& octave(int level) const { return octaves_[static_cast<std::size_t>(level)]; }
+  [[nodiscard]] int coded() const { return static_cast<int>(levels_.size()); }
+  [[nodiscard]] const AdaptiveLevel<D>& at(int level) const { return levels_[static_cast<std::size_t>(level)]; }
 
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     uint64_t sum = mesh.memory() + coarserDisplacements.memory();
-    for (const auto& o : octaves_) sum += o.memory();
+    for (const auto& o : levels_) sum += o.memory();
     return sum;
   }
   /// What it takes at most, on top of that, to begin the next octave's scalars.
-  [[nodiscard]] uint64_t memoryToTell() const { return told() > mesh.level() ? 0 : memoryForNext(last(), told()); }
+  [[nodiscard]] uint64_t memoryToCode() const { return coded() > mesh.level() ? 0 : memoryForNext(last(), coded()); }
 
   /// Scalars of an octave: of the vertices of its leaves that coarser ones have not told. On the finest, `cubes` needs no
   /// ends of diagonals.
   template <class Exchange>
-  void tellOctaves(Exchange& ask, int depth, Polygonizer polygonizer) {
-    const int level = told();
-    octaves_.push_back(next(last(), level));
+  void codeExponents(Exchange& exchange, int depth, Polygonizer polygonizer) {
+    const int level = coded();
+    levels_.push_back(next(last(), level));
     if (!coders_) coders_.emplace();
-    auto& octave = octaves_.back();
-    coders_->octaves.tell(ask, octave.signs, octave.scalars, Members::AxisEnds, depth, octave.active, [&](Tube<D>& tube) {
-      if (level < mesh.level() || polygonizer == Polygonizer::Tetrahedra) tube.addDiagonalEnds(octave.signs);
-      const auto& known = octave.scalars.at(tube.table().place(tube.at()));
+    auto& adaptive = levels_.back();
+    coders_->exponents.code(exchange, adaptive.signs, adaptive.scalars, Members::AxisEnds, depth, adaptive.active, [&](Tube<D>& tube) {
+      if (level < mesh.level() || polygonizer == Polygonizer::Tetrahedra) tube.addDiagonalEnds(adaptive.signs);
+      const auto& known = adaptive.scalars.at(tube.table().index(tube.at()));
       tube.keepOnly([&](std::size_t r, int x) {
         const std::size_t i = r * kBrickSide + static_cast<std::size_t>(x);
         return !known.knows(i) && mesh.belongsToLeaf(level, vertexOf<D>(tube.at(), i));
@@ -53,57 +53,57 @@ class AdaptiveField {
     });
   }
   template <class Exchange>
-  void tellHalvings(Exchange& ask, const typename HalvingCoder<D>::Pass& pass) {
-    auto& octave = octaves_.back();
-    coders_->halvings.tell(ask, octave.signs, octave.scalars, pass, octave.active);
+  void codeMagnitudes(Exchange& exchange, const typename MagnitudeCoder<D>::Pass& pass) {
+    auto& adaptive = levels_.back();
+    coders_->magnitudes.code(exchange, adaptive.signs, adaptive.scalars, pass, adaptive.active);
   }
 
   /// The octave as it is known, with estimates where nothing has been told yet; nothing if that takes more bytes than given.
-  [[nodiscard]] ISOSTAR_SELDOM std::optional<AdaptiveOctave<D>> shown(int level, uint64_t memory = UINT64_MAX) const {
-    AdaptiveOctave<D> octave;
-    for (int o = std::max(told() - 1, 0); o <= level; ++o) {
-      const auto* coarser = o == 0 ? nullptr : &octave;
-      const uint64_t made = o < told() ? this->octave(o).memory() : memoryForNext(coarser, o);
-      if (octave.memory() + made > memory) return std::nullopt;
-      if (o < told()) octave = this->octave(o);
-      else octave = next(coarser, o);
+  [[nodiscard]] ISOSTAR_COLD std::optional<AdaptiveLevel<D>> shown(int level, uint64_t memory = UINT64_MAX) const {
+    AdaptiveLevel<D> adaptive;
+    for (int o = std::max(coded() - 1, 0); o <= level; ++o) {
+      const auto* coarser = o == 0 ? nullptr : &adaptive;
+      const uint64_t made = o < coded() ? at(o).memory() : memoryForNext(coarser, o);
+      if (adaptive.memory() + made > memory) return std::nullopt;
+      if (o < coded()) adaptive = at(o);
+      else adaptive = next(coarser, o);
       // Those known are copied while the others are estimated.
-      const auto bricks = octave.scalars.brickCount() + static_cast<std::size_t>(std::count(octave.active.begin(), octave.active.end(), 1));
-      if (octave.memory() + 2 * Scalars<D>::memoryOf(octave.active.size(), bricks) > memory) return std::nullopt;
-      estimate(o, told() == 0 ? level - o : 0, octave);
+      const auto bricks = adaptive.scalars.brickCount() + static_cast<std::size_t>(std::count(adaptive.active.begin(), adaptive.active.end(), 1));
+      if (adaptive.memory() + 2 * Scalars<D>::memoryOf(adaptive.active.size(), bricks) > memory) return std::nullopt;
+      estimate(o, coded() == 0 ? level - o : 0, adaptive);
     }
-    return octave;
+    return adaptive;
   }
 
  private:
-  [[nodiscard]] const AdaptiveOctave<D>* last() const { return octaves_.empty() ? nullptr : &octaves_.back(); }
-  [[nodiscard]] AdaptiveOctave<D> next(const AdaptiveOctave<D>* coarser, int level) const { return {mesh.signs(level), mesh.absent(level), coarser}; }
-  [[nodiscard]] uint64_t memoryForNext(const AdaptiveOctave<D>* coarser, int level) const {
-    return AdaptiveOctave<D>::memoryToMake(mesh.signs(level), mesh.absent(level), coarser);
+  [[nodiscard]] const AdaptiveLevel<D>* last() const { return levels_.empty() ? nullptr : &levels_.back(); }
+  [[nodiscard]] AdaptiveLevel<D> next(const AdaptiveLevel<D>* coarser, int level) const { return {mesh.signs(level), mesh.absent(level), coarser}; }
+  [[nodiscard]] uint64_t memoryForNext(const AdaptiveLevel<D>* coarser, int level) const {
+    return AdaptiveLevel<D>::memoryToMake(mesh.signs(level), mesh.absent(level), coarser);
   }
 
   /// Gives the vertices of an octave's leaves values, as many times larger as its steps are longer: those of other vertices
   /// are better estimated on finer octaves.
-  ISOSTAR_SELDOM void estimate(int level, int finer, AdaptiveOctave<D>& octave) const {
-    const Scalars<D> before = octave.scalars;
-    const Hints<D> hints = level == mesh.level() ? Hints<D>{kernel} : Hints<D>{coarserKernel, level + 1 == mesh.level() ? &coarserDisplacements : nullptr};
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(octave.signs, octave.active, members, finer, octave.scalars, hints);
+  ISOSTAR_COLD void estimate(int level, int finer, AdaptiveLevel<D>& adaptive) const {
+    const Scalars<D> before = adaptive.scalars;
+    const Hints<D> hints = level == mesh.level() ? Hints<D>{filter} : Hints<D>{coarserFilter, level + 1 == mesh.level() ? &coarserDisplacements : nullptr};
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) estimateMissing(adaptive.signs, adaptive.active, members, finer, adaptive.scalars, hints);
     if (level == mesh.level()) return;
-    const auto& table = octave.signs.table();
-    for (std::size_t place = 0; place < table.total(); ++place) {
-      if (!octave.scalars.has(place)) continue;
-      auto& brick = octave.scalars.writable(place);
+    const auto& table = adaptive.signs.table();
+    for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
+      if (!adaptive.scalars.has(brickIndex)) continue;
+      auto& brick = adaptive.scalars.writable(brickIndex);
       for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
-        if (!brick.knows(i) || before.at(place).knows(i) || mesh.belongsToLeaf(level, vertexOf<D>(table.brick(place), i))) continue;
+        if (!brick.knows(i) || before.at(brickIndex).knows(i) || mesh.belongsToLeaf(level, vertexOf<D>(table.brick(brickIndex), i))) continue;
         brick.value[i] = Scalars<D>::kUnknown;
       }
     }
   }
 
-  std::vector<AdaptiveOctave<D>> octaves_;
+  std::vector<AdaptiveLevel<D>> levels_;
   struct Coders {
-    OctavesCoder<D> octaves;
-    HalvingCoder<D> halvings;
+    ExponentCoder<D> exponents;
+    MagnitudeCoder<D> magnitudes;
   };
   std::optional<Coders> coders_;  // once scalars are told
 };

@@ -52,8 +52,8 @@ class AdaptiveMesh {
   /// What it takes at most, on top of that, to begin the next octave.
   [[nodiscard]] uint64_t memoryToRefine() const {
     const BrickTable<D> finer(signs_.back().lattice().finer());
-    const uint64_t places = finer.total();
-    return 2 * places + Signs<D>::memoryToFill(places, mostRefinedBricks(signs_.back(), finer)) + Signs<D>::memoryToFill(places, uint64_t{absent_.back().brickCount()} << D);
+    const uint64_t brickIndices = finer.total();
+    return 2 * brickIndices + Signs<D>::memoryToFill(brickIndices, mostRefinedBricks(signs_.back(), finer)) + Signs<D>::memoryToFill(brickIndices, uint64_t{absent_.back().brickCount()} << D);
   }
   /// The same to fill an octave: vertices that were absent may need bricks of their own, on finer octaves, too.
   [[nodiscard]] uint64_t memoryToFill(int level) const {
@@ -65,46 +65,46 @@ class AdaptiveMesh {
   }
 
   template <class Exchange>
-  void base(Exchange& ask) {
-    BaseCoder<D>().tell(ask, signs_.front());
+  void base(Exchange& exchange) {
+    BaseCoder<D>().code(exchange, signs_.front());
   }
 
   /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the others.
   template <class Exchange>
-  ISOSTAR_SELDOM void refine(Exchange& ask) {
+  ISOSTAR_COLD void refine(Exchange& exchange) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
-    coders_->refinement.tell(ask, fine, &absent);
-    if (ask.spent()) return;  // the octave stays as it was
+    coders_->refinement.code(exchange, fine, &absent);
+    if (exchange.exhausted()) return;  // the octave stays as it was
     signs_.push_back(std::move(fine));
     absent_.push_back(std::move(absent));
   }
 
   /// The base and all octaves at once; what shows is only the whole.
   template <class Exchange>
-  ISOSTAR_SELDOM void tellAll(Exchange& ask, int octaves) {
-    ask.enter(0);
-    base(ask);
-    for (int level = 1; level <= octaves; ++level) {
-      ask.hold(memory());
-      if (ask.spent(memoryToRefine())) return;
-      ask.enter(level);
-      refine(ask);
+  ISOSTAR_COLD void codeAll(Exchange& exchange, int finestLevel) {
+    exchange.enter(0);
+    base(exchange);
+    for (int level = 1; level <= finestLevel; ++level) {
+      exchange.hold(memory());
+      if (exchange.exhausted(memoryToRefine())) return;
+      exchange.enter(level);
+      refine(exchange);
     }
   }
 
   /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds that made them absent.
   template <class Exchange>
-  ISOSTAR_SELDOM void fill(Exchange& ask, int level) {
+  ISOSTAR_COLD void fill(Exchange& exchange, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
     forEachMember(absent, [&](const Coordinates<D>& v) {
       auto corner = v;
-      for (int a = 0; a < D; ++a) corner[a] -= signs.lattice().fresh(a, v[a]) ? 1 : 0;
+      for (int a = 0; a < D; ++a) corner[a] -= signs.lattice().isNew(a, v[a]) ? 1 : 0;
       signs.set(v, signs.at(corner));
     });
-    ask.hold(memory());
-    for (int dimension = D; dimension >= 1; --dimension) coders_->filling.tell(ask, signs, dimension, absent);
-    if (ask.spent()) return;
+    exchange.hold(memory());
+    for (int dimension = D; dimension >= 1; --dimension) coders_->filling.code(exchange, signs, dimension, absent);
+    if (exchange.exhausted()) return;
     absent = Signs<D>(signs.lattice());
     for (int finer = level + 1; finer <= this->level(); ++finer) takeOverFilled(finer);
   }
@@ -121,7 +121,7 @@ class AdaptiveMesh {
   }
 
   /// Vertices that are no longer absent on the coarser octave are there, too.
-  ISOSTAR_SELDOM void takeOverFilled(int level) {
+  ISOSTAR_COLD void takeOverFilled(int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
     forEachMember(absent, [&](const Coordinates<D>& v) {

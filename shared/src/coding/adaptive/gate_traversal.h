@@ -27,16 +27,16 @@ class GateTraversal {
   /// `ask` is a MeshTruth or a MeshBlind. Calls visit(leaf, from, fresh) for each crossing leaf when all its signs are
   /// known: it was entered from *from and its vertex `fresh` lies behind the gate; a component's first leaf has no
   /// `from`.
-  template <class Ask, class Visit>
-  void tell(Ask& ask, Visit visit) {
-    auto seed = ask.nextSeed(visited_);
+  template <class Exchange, class Visit>
+  void code(Exchange& exchange, Visit visit) {
+    auto seed = exchange.nextSeed(visited_);
     bool any = false;
-    while (!seeds_.empty() && !ask.spent() && another_.bit(ask.coder(), seed.has_value())) {
+    while (!seeds_.empty() && !exchange.exhausted() && another_.bit(exchange.coder(), seed.has_value())) {
       any = true;
-      component(ask, seeds_.locate(ask.coder(), seed), visit);
-      seed = ask.nextSeed(visited_);
+      component(exchange, seeds_.locate(exchange.coder(), seed), visit);
+      seed = exchange.nextSeed(visited_);
     }
-    if (!any) signs_.fill(uniform_.bit(ask.coder(), ask.positive({})) ? Signs<D>::kPositive : Signs<D>::kNegative);
+    if (!any) signs_.fill(uniform_.bit(exchange.coder(), exchange.positive({})) ? Signs<D>::kPositive : Signs<D>::kNegative);
   }
 
   /// Has the leaves told, and what conforming asks for beside them.
@@ -54,18 +54,18 @@ class GateTraversal {
     int gate;  // the next face to look at
   };
 
-  template <class Ask, class Visit>
-  void component(Ask& ask, const TaggedSimplex<D>& seed, Visit& visit) {
-    for (auto ancestor = seed; ancestor.level > 0;) {
+  template <class Exchange, class Visit>
+  void component(Exchange& exchange, const TaggedSimplex<D>& seed, Visit& visit) {
+    for (auto ancestor = seed; ancestor.depth > 0;) {
       ancestor = parent(ancestor);
       mesh_.split(ancestor.middle(), scratch_);
     }
     for (const auto& v : seed.vertices) {
-      settle(ask, v, [&](bool truth) { return seedSign_.bit(ask.coder(), truth); });
+      settle(exchange, v, [&](bool actual) { return seedSign_.bit(exchange.coder(), actual); });
     }
     enter(seed);
     visit(seed, static_cast<const TaggedSimplex<D>*>(nullptr), 0);
-    while (!stack_.empty() && !ask.spent()) {
+    while (!stack_.empty() && !exchange.exhausted()) {
       Open& open = stack_.back();
       if (open.gate > D) {
         stack_.pop_back();
@@ -74,19 +74,19 @@ class GateTraversal {
       const auto from = open.leaf;
       const int gate = open.gate++;
       if (!crossed(from, gate)) continue;
-      const auto next = behind(ask, from, gate);
+      const auto next = behind(exchange, from, gate);
       if (!next || visited_.has(next->simplex)) continue;
-      settle(ask, next->simplex.vertices[next->fresh],
-             [&](bool truth) { return sign(ask.coder(), truth, from.vertices[gate], *next); });
+      settle(exchange, next->simplex.vertices[next->newVertex],
+             [&](bool actual) { return sign(exchange.coder(), actual, from.vertices[gate], *next); });
       enter(next->simplex);
-      visit(next->simplex, &from, next->fresh);
+      visit(next->simplex, &from, next->newVertex);
     }
     stack_.clear();
   }
 
   void enter(const TaggedSimplex<D>& leaf) {
     visited_.insert(leaf);
-    if (leaf.level < mesh_.hierarchy().levels()) absent_.set(leaf.middle(), true);
+    if (leaf.depth < mesh_.hierarchy().maxDepth()) absent_.set(leaf.middle(), true);
     stack_.push_back({leaf, 0});
   }
 
@@ -100,34 +100,34 @@ class GateTraversal {
   }
 
   /// The leaf on the other side of a face, whatever its level.
-  template <class Ask>
-  std::optional<Adjacent<D>> behind(Ask& ask, const TaggedSimplex<D>& from, int gate) {
+  template <class Exchange>
+  std::optional<Adjacent<D>> behind(Exchange& exchange, const TaggedSimplex<D>& from, int gate) {
     const auto& hierarchy = mesh_.hierarchy();
     auto next = across(hierarchy, from, gate);
     if (!next) return next;
     auto& s = next->simplex;
-    if (s.level > 0 && next->fresh == newest(s) && !contains(ask, s.vertices[next->fresh], kCoarser)) {
+    if (s.depth > 0 && next->newVertex == newest(s) && !contains(exchange, s.vertices[next->newVertex], kCoarser)) {
       const auto coarse = parent(s);
-      next->fresh = coarse.vertices[0] == s.vertices[0] ? coarse.tag : 0;
+      next->newVertex = coarse.vertices[0] == s.vertices[0] ? coarse.tag : 0;
       s = coarse;
-    } else if (s.level < hierarchy.levels() && (next->fresh == 0 || next->fresh == s.tag) &&
-               contains(ask, s.middle(), kFiner)) {
-      const bool atEvenEnd = next->fresh != 0;
-      next->fresh = s.tag;
+    } else if (s.depth < hierarchy.maxDepth() && (next->newVertex == 0 || next->newVertex == s.tag) &&
+               contains(exchange, s.middle(), kFiner)) {
+      const bool atEvenEnd = next->newVertex != 0;
+      next->newVertex = s.tag;
       s = s.halves()[atEvenEnd ? 0 : 1];
     }
     return next;
   }
 
   /// Has the mesh the vertex? The symbol of {=, <, >}, where it does not follow from what is known.
-  template <class Ask>
-  bool contains(Ask& ask, const Coordinates<D>& v, Relation relation) {
+  template <class Exchange>
+  bool contains(Exchange& exchange, const Coordinates<D>& v, Relation relation) {
     if (mesh_.contains(v)) return true;
     mesh_.missing(v, scratch_);
     for (const auto& u : scratch_) {
       if (absent_.at(u)) return false;
     }
-    const bool there = level(ask.coder(), ask.contains(v), v, relation);
+    const bool there = depth(exchange.coder(), exchange.contains(v), v, relation);
     if (there) {
       mesh_.split(v, scratch_);
     } else {
@@ -138,7 +138,7 @@ class GateTraversal {
 
   /// In context of what is known of the vertices of the same class beside it, and of the last answers.
   template <class Coder>
-  bool level(Coder& coder, bool truth, const Coordinates<D>& v, Relation relation) {
+  bool depth(Coder& coder, bool actual, const Coordinates<D>& v, Relation relation) {
     const auto d = mesh_.hierarchy().diamond(v);
     const auto lattice = absent_.lattice();
     std::size_t there = 0, absent = 0;
@@ -152,31 +152,31 @@ class GateTraversal {
       }
     }
     const auto kind = static_cast<std::size_t>(relation) * D + static_cast<std::size_t>(d.axes() - 1);
-    const std::array<Chance*, 3> contexts{
-        &levelByLevel_[kind][std::min<std::size_t>(static_cast<std::size_t>(d.level), kMostLevels - 1)],
-        &levelBySides_[kind][there][absent], &levelByLast_[kind][lastLevels_]};
-    const bool value = Mixer<3>::bit<127, 12>(coder, truth, contexts, levelWeights_[kind]);
-    lastLevels_ = (lastLevels_ << 1 | (value ? 1u : 0u)) & (kHistories - 1);
+    const std::array<BitModel*, 3> contexts{
+        &depthByDepth_[kind][std::min<std::size_t>(static_cast<std::size_t>(d.depth), kMostDepths - 1)],
+        &depthBySides_[kind][there][absent], &depthByLast_[kind][lastDepths_]};
+    const bool value = Mixer<3>::bit<127, 12>(coder, actual, contexts, depthWeights_[kind]);
+    lastDepths_ = (lastDepths_ << 1 | (value ? 1u : 0u)) & (kHistories - 1);
     return value;
   }
 
-  template <class Ask, class Tell>
-  void settle(Ask& ask, const Coordinates<D>& v, Tell tell) {
+  template <class Exchange, class Code>
+  void settle(Exchange& exchange, const Coordinates<D>& v, Code code) {
     const auto sample = mesh_.hierarchy().position(v);
     if (known_.at(sample)) return;
     known_.set(sample, true);
-    signs_.set(sample, tell(ask.positive(sample)));
+    signs_.set(sample, code(exchange.positive(sample)));
   }
 
   /// Of the vertex behind a gate, in context of the gate and the vertex before it, and of the samples around.
   template <class Coder>
-  bool sign(Coder& coder, bool truth, const Coordinates<D>& before, const Adjacent<D>& next) {
+  bool sign(Coder& coder, bool actual, const Coordinates<D>& before, const Adjacent<D>& next) {
     const auto& s = next.simplex;
     std::size_t pattern = positiveVertex(before) ? 1 : 0;
     for (int i = 0; i <= D; ++i) {
-      if (i != next.fresh) pattern = pattern << 1 | (positiveVertex(s.vertices[i]) ? 1u : 0u);
+      if (i != next.newVertex) pattern = pattern << 1 | (positiveVertex(s.vertices[i]) ? 1u : 0u);
     }
-    const auto at = mesh_.hierarchy().position(s.vertices[next.fresh]);
+    const auto at = mesh_.hierarchy().position(s.vertices[next.newVertex]);
     const int32_t step = shortestStep(s);
     std::size_t around = 0, sum = 2 * D, count = 0;
     for (int a = 0; a < D; ++a) {
@@ -189,17 +189,17 @@ class GateTraversal {
         count += seen;
       }
     }
-    const auto tag = static_cast<std::size_t>(s.tag - 1), fresh = static_cast<std::size_t>(next.fresh);
-    const std::array<Chance*, 3> contexts{&signByGate_[tag][fresh][pattern], &signByAround_[around],
+    const auto tag = static_cast<std::size_t>(s.tag - 1), newVertex = static_cast<std::size_t>(next.newVertex);
+    const std::array<BitModel*, 3> contexts{&signByGate_[tag][newVertex][pattern], &signByAround_[around],
                                           &signBySum_[tag][sum][count]};
-    return Mixer<3>::bit<127, 12>(coder, truth, contexts, signWeights_[tag]);
+    return Mixer<3>::bit<127, 12>(coder, actual, contexts, signWeights_[tag]);
   }
   /// Between the simplex's vertices, along an axis.
   [[nodiscard]] int32_t shortestStep(const TaggedSimplex<D>& s) const {
-    return mesh_.hierarchy().baseStep() >> ((s.level + D - 1) / D);
+    return mesh_.hierarchy().baseStep() >> ((s.depth + D - 1) / D);
   }
 
-  static constexpr std::size_t kMostLevels = 64, kHistories = 16, kSides = 2 * D + 1;
+  static constexpr std::size_t kMostDepths = 64, kHistories = 16, kSides = 2 * D + 1;
 
   Rbmt<D> mesh_;
   Signs<D> absent_;         // vertices that the mesh is known not to have
@@ -209,21 +209,21 @@ class GateTraversal {
   typename Rbmt<D>::Vertices scratch_;
 
   SeedCoder<D> seeds_;
-  Chance another_, uniform_, seedSign_;
-  std::array<std::array<Chance, kMostLevels>, 2 * D> levelByLevel_;
-  std::array<std::array<std::array<Chance, kSides>, kSides>, 2 * D> levelBySides_;
-  std::array<std::array<Chance, kHistories>, 2 * D> levelByLast_;
-  std::size_t lastLevels_ = 0;
-  std::array<std::array<std::array<Chance, (1u << (D + 1))>, D + 1>, D> signByGate_;
-  std::array<Chance, power(3, 2 * D)> signByAround_;
-  std::array<std::array<std::array<Chance, kSides>, 2 * kSides>, D> signBySum_;
-  std::array<Mixer<3>::Weights, 2 * D> levelWeights_ = weights<2 * D>();
+  BitModel another_, uniform_, seedSign_;
+  std::array<std::array<BitModel, kMostDepths>, 2 * D> depthByDepth_;
+  std::array<std::array<std::array<BitModel, kSides>, kSides>, 2 * D> depthBySides_;
+  std::array<std::array<BitModel, kHistories>, 2 * D> depthByLast_;
+  std::size_t lastDepths_ = 0;
+  std::array<std::array<std::array<BitModel, (1u << (D + 1))>, D + 1>, D> signByGate_;
+  std::array<BitModel, power(3, 2 * D)> signByAround_;
+  std::array<std::array<std::array<BitModel, kSides>, 2 * kSides>, D> signBySum_;
+  std::array<Mixer<3>::Weights, 2 * D> depthWeights_ = weights<2 * D>();
   std::array<Mixer<3>::Weights, D> signWeights_ = weights<D>();
 
   template <std::size_t N>
   static std::array<Mixer<3>::Weights, N> weights() {
     std::array<Mixer<3>::Weights, N> all;
-    all.fill(Mixer<3>::fresh());
+    all.fill(Mixer<3>::initialWeights());
     return all;
   }
 };

@@ -11,15 +11,15 @@ namespace isostar {
 
 /// The encoder's side: answers are a mesh's and the source's signs, told to a coder.
 template <int D, class Coder>
-class MeshTruth {
+class MeshEncoderSide {
  public:
   /// Signs are those of the box's samples.
-  MeshTruth(Coder& coder, const Rbmt<D>& mesh, const Signs<D>& signs) : coder_(coder), mesh_(mesh), signs_(signs) {
+  MeshEncoderSide(Coder& coder, const Rbmt<D>& mesh, const Signs<D>& signs) : coder_(coder), mesh_(mesh), signs_(signs) {
     forEachCrossingLeaf(mesh, signs, [&](const TaggedSimplex<D>& leaf) { tube_.push_back(leaf); });
   }
 
   Coder& coder() { return coder_; }
-  [[nodiscard]] bool spent() const { return false; }
+  [[nodiscard]] bool exhausted() const { return false; }
   [[nodiscard]] bool contains(const Coordinates<D>& v) const { return mesh_.contains(v); }
   [[nodiscard]] bool positive(const Coordinates<D>& sample) const { return signs_.at(sample); }
   /// The first crossing leaf, in the order of forEachLeaf, that has not been visited. Leaves are never unvisited.
@@ -38,13 +38,13 @@ class MeshTruth {
 
 /// The decoder's side: there is no mesh to ask.
 template <int D>
-class MeshBlind {
+class MeshDecoderSide {
  public:
   /// Stops after `slack` bytes past the end.
-  MeshBlind(RangeDecoder& coder, std::size_t slack) : coder_(coder), slack_(slack) {}
+  MeshDecoderSide(RangeDecoder& coder, std::size_t slack) : coder_(coder), slack_(slack) {}
 
   RangeDecoder& coder() { return coder_; }
-  [[nodiscard]] bool spent() const { return coder_.overrun() > slack_; }
+  [[nodiscard]] bool exhausted() const { return coder_.overrun() > slack_; }
   [[nodiscard]] bool contains(const Coordinates<D>&) const { return false; }
   [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
   [[nodiscard]] std::optional<TaggedSimplex<D>> nextSeed(const LeafSet<D>&) const { return std::nullopt; }

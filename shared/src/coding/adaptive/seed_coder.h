@@ -13,8 +13,8 @@ class SeedCoder {
  public:
   explicit SeedCoder(const Hierarchy<D>& hierarchy) : hierarchy_(hierarchy) {
     forEachLeaf(Rbmt<D>(hierarchy), [&](const TaggedSimplex<D>& s) { base_.push_back(s); });
-    for (std::size_t most = static_cast<std::size_t>(hierarchy.levels()); most != 0; most >>= 1) ++levelBits_;
-    levels_.resize(std::size_t{1} << levelBits_);
+    for (std::size_t most = static_cast<std::size_t>(hierarchy.maxDepth()); most != 0; most >>= 1) ++depthBits_;
+    depths_.resize(std::size_t{1} << depthBits_);
   }
 
   /// Has the box no simplices, having no extent on some axis?
@@ -22,17 +22,17 @@ class SeedCoder {
 
   /// Tells the level of the leaf, then the way to it; the decoder has no truth. Not if there are no simplices.
   template <class Coder>
-  TaggedSimplex<D> locate(Coder& coder, const std::optional<TaggedSimplex<D>>& truth) {
-    const int level = this->level(coder, truth ? truth->level : 0);
+  TaggedSimplex<D> locate(Coder& coder, const std::optional<TaggedSimplex<D>>& actual) {
+    const int depth = this->depth(coder, actual ? actual->depth : 0);
     std::vector<TaggedSimplex<D>> way;  // of the truth, from the leaf to the base
-    if (truth) {
-      way.push_back(*truth);
-      while (way.back().level > 0) way.push_back(parent(way.back()));
+    if (actual) {
+      way.push_back(*actual);
+      while (way.back().depth > 0) way.push_back(parent(way.back()));
     }
     follows_ = true;
     turns_.clear();
     std::size_t first = 0, count = base_.size();
-    const std::size_t at = truth ? number(way.back()) : 0;
+    const std::size_t at = actual ? number(way.back()) : 0;
     while (count > 1) {
       const std::size_t half = count / 2;
       const bool right = turn(coder, at >= first + half);
@@ -40,11 +40,11 @@ class SeedCoder {
       count = right ? count - half : half;
     }
     auto s = base_[first];
-    while (s.level < level) {
+    while (s.depth < depth) {
       const auto halves = s.halves();
       // A half beyond the box's end is no decision.
       const bool onlyRight = hierarchy_.flat(halves[0].vertices), onlyLeft = hierarchy_.flat(halves[1].vertices);
-      const bool right = truth && way[static_cast<std::size_t>(level - s.level - 1)].vertices == halves[1].vertices;
+      const bool right = actual && way[static_cast<std::size_t>(depth - s.depth - 1)].vertices == halves[1].vertices;
       s = halves[onlyRight || (!onlyLeft && turn(coder, right)) ? 1 : 0];
     }
     last_ = turns_;
@@ -53,10 +53,10 @@ class SeedCoder {
 
  private:
   template <class Coder>
-  int level(Coder& coder, int truth) {
+  int depth(Coder& coder, int actual) {
     std::size_t node = 1;
-    for (int bit = levelBits_ - 1; bit >= 0; --bit) node = 2 * node + levels_[node].bit(coder, (truth >> bit & 1) != 0);
-    return std::min(static_cast<int>(node - levels_.size()), hierarchy_.levels());
+    for (int bit = depthBits_ - 1; bit >= 0; --bit) node = 2 * node + depths_[node].bit(coder, (actual >> bit & 1) != 0);
+    return std::min(static_cast<int>(node - depths_.size()), hierarchy_.maxDepth());
   }
 
   template <class Coder>
@@ -79,9 +79,9 @@ class SeedCoder {
   std::vector<TaggedSimplex<D>> base_;
   std::vector<bool> turns_, last_;  // of this seed and of the one before
   bool follows_ = true;             // have all turns been those of the seed before?
-  int levelBits_ = 0;
-  std::vector<Chance> levels_;  // a tree of bits
-  Chance free_, leaves_;
+  int depthBits_ = 0;
+  std::vector<BitModel> depths_;  // a tree of bits
+  BitModel free_, leaves_;
 };
 
 }  // namespace isostar

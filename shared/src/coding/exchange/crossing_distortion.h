@@ -10,19 +10,19 @@ namespace isostar {
 
 /// The crossings on the axis edges around one vertex. Errors are counted in what a pass allows.
 template <int D>
-class CrossingErrors {
+class CrossingDistortion {
  public:
   struct Edge {
     double crossing;  // where the source's surface crosses it, from the vertex (0) to the far end (1)
-    double far, told;  // size of the far end's scalar, half quanta: the source's, and as it is told
+    double far, coded;  // size of the far end's scalar, half quanta: the source's, and as it is told
     double length;    // so many times what the pass allows
     double weight;    // the squared cosine to the surface's normal: so much of an error lies across the surface
     double most;      // error; what is left is the far end's
   };
 
-  CrossingErrors() = default;
+  CrossingDistortion() = default;
   /// Sizes are so much more than the middles that Scalars keep, in half quanta.
-  explicit CrossingErrors(double offset) : offset_(offset) {}
+  explicit CrossingDistortion(double offset) : offset_(offset) {}
   /// At most 2 D of them.
   void add(const Edge& edge) { edges_[count_++] = edge; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
@@ -34,7 +34,7 @@ class CrossingErrors {
     double sum = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       const Edge& edge = edges_[i];
-      const double error = std::abs(size / (size + edge.told) - edge.crossing) * edge.length;
+      const double error = std::abs(size / (size + edge.coded) - edge.crossing) * edge.length;
       sum += edge.weight * error * error;
       if (error > edge.most) sum += kExcess * (1 + error - edge.most);
     }

@@ -9,13 +9,13 @@ namespace isostar {
 /// A coder that is told the truth of one decision, and tells the other answer where cost() is less than what that saves, in 1/256 of a
 /// natural unit of information.
 template <class Coder, class Cost>
-class Persuaded {
+class BiasedCoder {
  public:
-  Persuaded(Coder& coder, Cost cost) : coder_(coder), cost_(cost) {}
+  BiasedCoder(Coder& coder, Cost cost) : coder_(coder), cost_(cost) {}
 
-  bool bit(bool truth, uint32_t chance) {
-    const int saved = Logistic::stretch(truth ? kChanceOne - chance : chance);
-    return coder_.bit(saved > 0 && saved > cost_() ? !truth : truth, chance);
+  bool bit(bool actual, uint32_t probability) {
+    const int saved = Logistic::stretch(actual ? kProbabilityOne - probability : probability);
+    return coder_.bit(saved > 0 && saved > cost_() ? !actual : actual, probability);
   }
 
  private:
@@ -25,9 +25,9 @@ class Persuaded {
 
 /// The magnitude that halving an interval aims at: the truth where there are no errors to go by.
 template <int D>
-class Aim {
+class RdoqTarget {
  public:
-  Aim(uint32_t truth, const CrossingErrors<D>& errors) : magnitude_(truth), errors_(errors) {}
+  RdoqTarget(uint32_t actual, const CrossingDistortion<D>& errors) : magnitude_(actual), errors_(errors) {}
 
   [[nodiscard]] uint32_t magnitude() const { return magnitude_; }
   [[nodiscard]] bool upper(uint32_t middle) const { return 2 * uint64_t{magnitude_} >= middle; }
@@ -45,19 +45,19 @@ class Aim {
 
   /// Calls tell(coder), which tells whether the magnitude lies above an interval's middle and returns what has been told: the aim lies
   /// there from now on.
-  template <class Coder, class Settled, class Tell>
-  bool persuade(Coder& coder, uint32_t middle, Settled settled, Tell tell) {
-    if (errors_.empty()) return tell(coder);
-    const bool truth = upper(middle);
-    const uint32_t nearest = truth ? middle / 2 - 1 : middle / 2;
+  template <class Coder, class Settled, class Code>
+  bool codeUpper(Coder& coder, uint32_t middle, Settled settled, Code code) {
+    if (errors_.empty()) return code(coder);
+    const bool actual = upper(middle);
+    const uint32_t nearest = actual ? middle / 2 - 1 : middle / 2;
     double error = -1;
-    Persuaded persuaded(coder, [&] {
+    BiasedCoder biased(coder, [&] {
       error = errors_.of(settled(nearest));
       return errors_.mayEndAt(middle) ? (error - least_) * kPerSquare : kNever;
     });
-    const bool told = tell(persuaded);
-    if (told != truth) magnitude_ = nearest, least_ = error;
-    return told;
+    const bool coded = code(biased);
+    if (coded != actual) magnitude_ = nearest, least_ = error;
+    return coded;
   }
 
  private:
@@ -71,18 +71,18 @@ class Aim {
   }
 
   uint32_t magnitude_;
-  CrossingErrors<D> errors_;
+  CrossingDistortion<D> errors_;
   double least_ = 0;  // error where it ends
 };
 
 /// The decoder's: it has none, and compiles into nothing.
-struct NoAim {
+struct NoRdoqTarget {
   [[nodiscard]] static bool upper(uint32_t) { return false; }
   template <class Settled>
   static void choose(uint32_t, uint32_t, Settled) {}
-  template <class Coder, class Settled, class Tell>
-  static bool persuade(Coder& coder, uint32_t, Settled, Tell tell) {
-    return tell(coder);
+  template <class Coder, class Settled, class Code>
+  static bool codeUpper(Coder& coder, uint32_t, Settled, Code code) {
+    return code(coder);
   }
 };
 

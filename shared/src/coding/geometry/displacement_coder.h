@@ -12,12 +12,12 @@ namespace isostar {
 template <int D>
 class DisplacementCoder {
  public:
-  ISOSTAR_SELDOM DisplacementCoder() { weights_.fill(Mixer<kInputs>::fresh()); }
+  ISOSTAR_COLD DisplacementCoder() { weights_.fill(Mixer<kInputs>::initialWeights()); }
 
   template <class Exchange>
-  void tell(Exchange& ask, const Signs<D>& signs, Displacements<D>& displacements, const DisplacementPass& pass, const std::vector<uint8_t>& active) {
-    for (std::size_t place = 0; place < active.size() && !ask.spent(displacements.memory()); ++place) {
-      if (active[place] != 0) cubes(ask, signs, displacements, place, pass);
+  void code(Exchange& exchange, const Signs<D>& signs, Displacements<D>& displacements, const DisplacementPass& pass, const std::vector<uint8_t>& active) {
+    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(displacements.memory()); ++brickIndex) {
+      if (active[brickIndex] != 0) cubes(exchange, signs, displacements, brickIndex, pass);
     }
   }
 
@@ -29,34 +29,34 @@ class DisplacementCoder {
   static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4, kWideTrusts = 8;
 
   template <class Exchange>
-  void cubes(Exchange& ask, const Signs<D>& signs, Values& displacements, std::size_t place, const DisplacementPass& pass) {
-    findMembers(signs, displacements, place);
-    auto& own = displacements.writable(place);
-    window_.load(displacements, signs.table(), signs.table().brick(place));
+  void cubes(Exchange& exchange, const Signs<D>& signs, Values& displacements, std::size_t brickIndex, const DisplacementPass& pass) {
+    findMembers(signs, displacements, brickIndex);
+    auto& own = displacements.writable(brickIndex);
+    window_.load(displacements, signs.table(), signs.table().brick(brickIndex));
     if (pass.log2Side == 1) {
       for (std::size_t block = 0; block < own.size(); ++block) {
         if (!members_[block]) continue;
         const int before = own[block] == Values::kNone ? 0 : own[block];
-        move(own, block, tell(ask, context(block, 1, pass.step, before, 1), ask.displacement(place, block)) * pass.step);
+        move(own, block, code(exchange, context(block, 1, pass.step, before, 1), exchange.displacement(brickIndex, block)) * pass.step);
       }
       return;
     }
     const int side = 1 << (pass.log2Side - 1);
     Coordinates<D> first{};
     do {
-      cube(ask, own, place, first, side, pass.step);
+      cube(exchange, own, brickIndex, first, side, pass.step);
     } while (next(first, side));
   }
 
   /// The blocks with a positive end of a crossing axis edge; a pass before has found them, too.
-  ISOSTAR_SELDOM void findMembers(const Signs<D>& signs, const Values& displacements, std::size_t place) {
-    if (displacements.has(place)) {
-      const auto& own = displacements.at(place);
+  ISOSTAR_COLD void findMembers(const Signs<D>& signs, const Values& displacements, std::size_t brickIndex) {
+    if (displacements.has(brickIndex)) {
+      const auto& own = displacements.at(brickIndex);
       for (std::size_t block = 0; block < own.size(); ++block) members_[block] = own[block] != Values::kNone;
       return;
     }
     members_.fill(false);
-    tube_.enter(signs, place, Members::AxisEnds);
+    tube_.enter(signs, brickIndex, Members::AxisEnds);
     tube_.forEach(true, [&](int, std::size_t r, int x) { members_[Values::block(r, x)] = true; });
   }
 
@@ -104,7 +104,7 @@ class DisplacementCoder {
   };
 
   template <class Exchange>
-  ISOSTAR_SELDOM void cube(Exchange& ask, typename Values::Brick& own, std::size_t place, const Coordinates<D>& first, int side, int step) {
+  ISOSTAR_COLD void cube(Exchange& exchange, typename Values::Brick& own, std::size_t brickIndex, const Coordinates<D>& first, int side, int step) {
     const std::size_t corner = Values::blockAt(first);
     int members = 0, sum = 0;
     forMembers(first, side, [&](std::size_t block) {
@@ -112,7 +112,7 @@ class DisplacementCoder {
       sum += own[block] == Values::kNone ? 0 : own[block];
     });
     if (members == 0) return;
-    const int difference = tell(ask, context(corner, side, step, sum / members, members), ask.displacement(place, corner)) * step;
+    const int difference = code(exchange, context(corner, side, step, sum / members, members), exchange.displacement(brickIndex, corner)) * step;
     forMembers(first, side, [&](std::size_t block) { move(own, block, difference); });
   }
 
@@ -159,29 +159,29 @@ class DisplacementCoder {
   }();
 
   template <class Exchange>
-  int tell(Exchange& ask, const Context& c, int truth) {
+  int code(Exchange& exchange, const Context& c, int actual) {
     const auto decide = [&](std::size_t decision, bool value) {
       return Mixer<kInputs>::template bit<255, 11>(
-          ask.coder(), value,
+          exchange.coder(), value,
           {&byBelow_[((decision * kMeans + c.below) * kTrusts + c.trust) * kShares + c.share], &byAround_[(decision * kWideMeans + c.around) * kTrusts + c.trust],
            &byBoth_[(decision * kMeans + c.below) * kWideMeans + c.around],
            &byWide_[((decision * kWideMeans + c.wideBelow) * kWideTrusts + c.wideTrust) * kWideMeans + c.wideAround]},
           weights_[decision]);
     };
-    if (!decide(0, truth != 0)) return 0;
-    const bool negative = decide(1, truth < 0);
+    if (!decide(0, actual != 0)) return 0;
+    const bool negative = decide(1, actual < 0);
     int size = 1;
-    while (size < kMost && decide(static_cast<std::size_t>(size) + 1, std::abs(truth) > size)) ++size;
+    while (size < kMost && decide(static_cast<std::size_t>(size) + 1, std::abs(actual) > size)) ++size;
     return negative ? -size : size;
   }
 
   Tube<D> tube_;
   DisplacementWindow<D> window_;
   std::array<bool, Values::kBlocks> members_{};
-  std::array<Chance, kDecisions * kMeans * kTrusts * kShares> byBelow_;
-  std::array<Chance, kDecisions * kWideMeans * kTrusts> byAround_;
-  std::array<Chance, kDecisions * kMeans * kWideMeans> byBoth_;
-  std::array<Chance, kDecisions * kWideMeans * kWideTrusts * kWideMeans> byWide_;
+  std::array<BitModel, kDecisions * kMeans * kTrusts * kShares> byBelow_;
+  std::array<BitModel, kDecisions * kWideMeans * kTrusts> byAround_;
+  std::array<BitModel, kDecisions * kMeans * kWideMeans> byBoth_;
+  std::array<BitModel, kDecisions * kWideMeans * kWideTrusts * kWideMeans> byWide_;
   std::array<typename Mixer<kInputs>::Weights, kDecisions> weights_;
 };
 

@@ -18,13 +18,13 @@ class DomainCoder {
 
   /// `diagonals`: also at vertices that only `tetrahedra` needs.
   template <class Exchange>
-  ISOSTAR_SELDOM void tell(Exchange& ask, const Signs<D>& signs, const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
+  ISOSTAR_COLD void code(Exchange& exchange, const Signs<D>& signs, const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
     for (const bool sides : {true, false}) {
-      for (std::size_t place = 0; place < active.size() && !ask.spent(domain.memory()); ++place) {
-        if (active[place] == 0) continue;
-        tube_.enter(signs, place, Members::AxisEnds);
+      for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(domain.memory()); ++brickIndex) {
+        if (active[brickIndex] == 0) continue;
+        tube_.enter(signs, brickIndex, Members::AxisEnds);
         if (diagonals) tube_.addDiagonalEnds(signs);
-        if (!tube_.empty()) brick(ask, place, sides, domain);
+        if (!tube_.empty()) brick(exchange, brickIndex, sides, domain);
       }
     }
   }
@@ -64,15 +64,15 @@ class DomainCoder {
   }();
 
   [[nodiscard]] int32_t far() const { return 2 * reach_ - 1; }
-  [[nodiscard]] bool told(int32_t value) const { return value != Scalars<D>::kUnknown && std::abs(value) < far(); }
+  [[nodiscard]] bool coded(int32_t value) const { return value != Scalars<D>::kUnknown && std::abs(value) < far(); }
 
   template <class Exchange>
-  ISOSTAR_SELDOM void brick(Exchange& ask, std::size_t place, bool sides, Scalars<D>& domain) {
-    auto& brick = domain.writable(place);
+  ISOSTAR_COLD void brick(Exchange& exchange, std::size_t brickIndex, bool sides, Scalars<D>& domain) {
+    auto& brick = domain.writable(brickIndex);
     window_.load(domain, tube_.table(), tube_.at());
     tube_.forEach([&](int, std::size_t r, int x) {
       int32_t& value = window_.value[static_cast<std::size_t>(ScalarWindow<D>::index(r, x))];
-      value = tell(ask, &value, sides, ask.domain(place, r, x));
+      value = code(exchange, &value, sides, exchange.domain(brickIndex, r, x));
       brick.value[r * kBrickSide + static_cast<std::size_t>(x)] = value;
     });
   }
@@ -80,7 +80,7 @@ class DomainCoder {
   /// What is known of a vertex, once its side has been told in context of its neighbours', or its distance where they are not all on
   /// one side.
   template <class Exchange>
-  [[gnu::noinline]] ISOSTAR_SELDOM int32_t tell(Exchange& ask, const int32_t* here, bool side, int32_t truth) {
+  [[gnu::noinline]] ISOSTAR_COLD int32_t code(Exchange& exchange, const int32_t* here, bool side, int32_t actual) {
     int sum = 0;
     bool both = false;
     for (const Neighbour& n : kNeighbours) {
@@ -89,22 +89,22 @@ class DomainCoder {
       sum += value >= 0 ? n.weight : -n.weight;
       both = both || (value ^ *here) < 0;
     }
-    if (!side) return both ? tellDistance(ask, here, truth) : *here;
-    last_ = bit(ask, sides_[last_ ? 1 : 0][static_cast<std::size_t>(std::clamp(sum, -16, 16) + 16)], truth >= 0);
+    if (!side) return both ? codeDistance(exchange, here, actual) : *here;
+    last_ = bit(exchange, sides_[last_ ? 1 : 0][static_cast<std::size_t>(std::clamp(sum, -16, 16) + 16)], actual >= 0);
     return last_ ? far() : -far();
   }
 
   /// A distance is nearly linear: the mean of what parallelograms with three neighbours say, else of the neighbours.
-  [[nodiscard]] ISOSTAR_SELDOM Guess guess(const int32_t* here) const {
+  [[nodiscard]] ISOSTAR_COLD Guess guess(const int32_t* here) const {
     int32_t sum = 0, count = 0, near = 0, nearCount = 0;
     for (std::size_t a = 0; a < 2 * D; ++a) {
       const int32_t* const first = here + kNeighbours[a].offset;
-      if (!told(*first)) continue;
+      if (!coded(*first)) continue;
       near += *first;
       ++nearCount;
       for (std::size_t b = 0; b < a; ++b) {
         const int other = kNeighbours[b].offset;
-        if (b + D == a || !told(here[other]) || !told(first[other])) continue;
+        if (b + D == a || !coded(here[other]) || !coded(first[other])) continue;
         sum += *first + here[other] - first[other];
         ++count;
       }
@@ -115,30 +115,30 @@ class DomainCoder {
 
   /// As steps from the guess, one way or the other.
   template <class Exchange>
-  ISOSTAR_SELDOM int32_t tellDistance(Exchange& ask, const int32_t* here, int32_t truth) {
+  ISOSTAR_COLD int32_t codeDistance(Exchange& exchange, const int32_t* here, int32_t actual) {
     const bool inside = *here >= 0;
     const auto [guess, trust] = this->guess(here);
-    const int32_t difference = (inside ? truth : -1 - truth) - guess;
-    const bool less = guess > 0 && bit(ask, less_[trust], difference < 0);
+    const int32_t difference = (inside ? actual : -1 - actual) - guess;
+    const bool less = guess > 0 && bit(exchange, less_[trust], difference < 0);
     const int32_t wanted = less ? -difference : difference, most = less ? guess : reach_ - 1 - guess;
     int32_t steps = less ? 1 : 0;
-    while (steps < most && bit(ask, more_[trust][std::min<std::size_t>(static_cast<std::size_t>(steps), kSteps - 1)], wanted > steps)) ++steps;
-    const int32_t told = less ? guess - steps : guess + steps;
-    return inside ? 2 * told + 1 : -2 * told - 1;
+    while (steps < most && bit(exchange, more_[trust][std::min<std::size_t>(static_cast<std::size_t>(steps), kSteps - 1)], wanted > steps)) ++steps;
+    const int32_t coded = less ? guess - steps : guess + steps;
+    return inside ? 2 * coded + 1 : -2 * coded - 1;
   }
 
   template <class Exchange>
-  ISOSTAR_SELDOM static bool bit(Exchange& ask, Chance& chance, bool truth) {
-    return chance.bit(ask.coder(), truth);
+  ISOSTAR_COLD static bool bit(Exchange& exchange, BitModel& probability, bool actual) {
+    return probability.bit(exchange.coder(), actual);
   }
 
   Tube<D> tube_;
   ScalarWindow<D> window_;
   const int32_t reach_;
   bool last_ = true;
-  std::array<std::array<Chance, kSums>, 2> sides_;
-  std::array<Chance, kTrusts> less_;
-  std::array<std::array<Chance, kSteps>, kTrusts> more_;
+  std::array<std::array<BitModel, kSums>, 2> sides_;
+  std::array<BitModel, kTrusts> less_;
+  std::array<std::array<BitModel, kSteps>, kTrusts> more_;
 };
 
 }  // namespace isostar

@@ -14,69 +14,69 @@ namespace isostar {
 /// Tells the octave of |scalar - isovalue| at the tube's vertices; below a floor relative to the brick's gradient, only
 /// that it lies there. A crossing lies at |a| / (|a| + |b|), so that such steps are even in distance whatever the gradient.
 template <int D>
-class OctavesCoder {
+class ExponentCoder {
  public:
-  OctavesCoder() : byShape_(kShapeContexts), byGuess_(kGuessContexts), bySizes_(kSizeContexts), byAll_(kAllContexts) {
-    weights_.fill(Mixer<kInputs>::fresh());
+  ExponentCoder() : byShape_(kShapeContexts), byGuess_(kGuessContexts), bySizes_(kSizeContexts), byAll_(kAllContexts) {
+    weights_.fill(Mixer<kInputs>::initialWeights());
   }
 
   /// A brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least, floor being `depth`
   /// octaves below the brick's gradient.
   template <class Exchange>
-  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
+  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
             const Hints<D>& hints = {}) {
     hints_ = hints;
-    tell(ask, signs, scalars, members, depth, active, [](Tube<D>&) {});
+    code(exchange, signs, scalars, members, depth, active, [](Tube<D>&) {});
   }
 
   /// The same for the members that choose(tube) leaves or adds.
   template <class Exchange, class Choose>
-  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
+  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
             Choose choose) {
-    for (std::size_t place = 0; place < active.size() && !ask.spent(scalars.memory()); ++place) {
-      if (active[place] == 0) continue;
-      tube_.enter(signs, place, members);
+    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(scalars.memory()); ++brickIndex) {
+      if (active[brickIndex] == 0) continue;
+      tube_.enter(signs, brickIndex, members);
       choose(tube_);
       if (tube_.empty()) continue;
-      if (!scalars.hasGradient(place)) tellGradient(ask, scalars, place);
-      if (ask.spent()) return;  // what was read of the gradient may be noise
-      brick(ask, scalars, members, place, depth);
+      if (!scalars.hasGradient(brickIndex)) codeGradient(exchange, scalars, brickIndex);
+      if (exchange.exhausted()) return;  // what was read of the gradient may be noise
+      brick(exchange, scalars, members, brickIndex, depth);
     }
   }
 
  private:
-  static constexpr int kMostOctaves = 8;  // told apart as contexts
+  static constexpr int kMostExponents = 8;  // told apart as contexts
   static constexpr int kGuesses = 40;     // of a quarter of an octave
   static constexpr int kCrossings = 8;
   static constexpr int kInputs = 4;
-  static constexpr std::size_t kShapeContexts = kCrossings * 64 * kMostOctaves;
-  static constexpr std::size_t kGuessContexts = 4 * kGuesses * 4 * kMostOctaves;
-  static constexpr std::size_t kSizeContexts = kCrossings * 16 * 16 * kMostOctaves;
-  static constexpr std::size_t kAllContexts = kGuesses * 16 * kCrossings * kMostOctaves;
+  static constexpr std::size_t kShapeContexts = kCrossings * 64 * kMostExponents;
+  static constexpr std::size_t kGuessContexts = 4 * kGuesses * 4 * kMostExponents;
+  static constexpr std::size_t kSizeContexts = kCrossings * 16 * 16 * kMostExponents;
+  static constexpr std::size_t kAllContexts = kGuesses * 16 * kCrossings * kMostExponents;
   static constexpr int kMostWidth = 29;
   static constexpr int kMostGradient = 4 * 31;
 
   /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one told.
   template <class Exchange>
-  void tellGradient(Exchange& ask, Scalars<D>& scalars, std::size_t place) {
-    const int truth = ask.gradient(place) - lastGradient_;
-    auto& coder = ask.coder();
+  void codeGradient(Exchange& exchange, Scalars<D>& scalars, std::size_t brickIndex) {
+    const int actual = exchange.gradient(brickIndex) - lastGradient_;
+    auto& coder = exchange.coder();
     int difference = 0;
-    if (gradientModel_[0].bit(coder, truth != 0)) {
-      const bool down = gradientModel_[1].bit(coder, truth < 0);
+    if (gradientModel_[0].bit(coder, actual != 0)) {
+      const bool down = gradientModel_[1].bit(coder, actual < 0);
       int size = 1;
-      while (size < 128 && gradientModel_[static_cast<std::size_t>(std::min(size + 1, 15))].bit(coder, (down ? -truth : truth) > size)) ++size;
+      while (size < 128 && gradientModel_[static_cast<std::size_t>(std::min(size + 1, 15))].bit(coder, (down ? -actual : actual) > size)) ++size;
       difference = down ? -size : size;
     }
     lastGradient_ = std::clamp(lastGradient_ + difference, 0, kMostGradient);
-    scalars.setGradient(place, lastGradient_);
+    scalars.setGradient(brickIndex, lastGradient_);
   }
 
   template <class Exchange>
-  void brick(Exchange& ask, Scalars<D>& scalars, Members members, std::size_t place, int depth) {
-    auto& brick = scalars.writable(place);
+  void brick(Exchange& exchange, Scalars<D>& scalars, Members members, std::size_t brickIndex, int depth) {
+    auto& brick = scalars.writable(brickIndex);
     brick.members[static_cast<std::size_t>(members)] = tube_.members();
-    gradient_ = scalars.gradient(place);
+    gradient_ = scalars.gradient(brickIndex);
     floor_ = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
     window_.load(scalars, tube_.table(), tube_.at());
     shapes_.load(tube_.window());
@@ -88,13 +88,13 @@ class OctavesCoder {
     shift_ = unit.shift;
     // Positive vertices first: the others then know the far ends of their crossing edges.
     for (const bool positive : {true, false}) tube_.forEach(positive, [&](int row, std::size_t r, int x) {
-      if (ask.spent()) return;
+      if (exchange.exhausted()) return;
       const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
       if (brick.knows(v)) return;  // by another isovalue
       const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, positive, unit, displaced_.at(r, x));
-      const int octave = tellOctave(ask, guess, ask.magnitude(place, r, x));
-      const uint32_t low = octave == 0 ? 0 : uint32_t{1} << (floor_ + octave - 1);
-      brick.set(v, positive, low, octave == 0 ? floor_ : floor_ + octave - 1);
+      const int exponent = codeExponent(exchange, guess, exchange.magnitude(brickIndex, r, x));
+      const uint32_t low = exponent == 0 ? 0 : uint32_t{1} << (floor_ + exponent - 1);
+      brick.set(v, positive, low, exponent == 0 ? floor_ : floor_ + exponent - 1);
       window_.value[window_.index(r, x)] = brick.value[v];
     });
   }
@@ -109,24 +109,24 @@ class OctavesCoder {
   /// Counted from the floor: from the octave that is guessed, up or down until it is found. The contexts of one vertex lie
   /// side by side.
   template <class Exchange>
-  int tellOctave(Exchange& ask, const Prediction<D>& p, uint32_t truth) {
+  int codeExponent(Exchange& exchange, const Prediction<D>& p, uint32_t actual) {
     const Lanes sizes = eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}), ones = eighths(Lanes{p.magnitude, p.own});
-    const int toQuanta = 8 * (shift_ - 1), guessed = ones[0] + toQuanta;
-    const int octave = std::max(0, 32 - std::countl_zero(truth) - floor_), last = kMostWidth - floor_;
+    const int toSteps = 8 * (shift_ - 1), guessed = ones[0] + toSteps;
+    const int exponent = std::max(0, 32 - std::countl_zero(actual) - floor_), last = kMostWidth - floor_;
     // The same as the neighbours are to what the signs tell of them.
-    const int alike = p.known == 0 ? guessed : ones[1] + sizes[2] - sizes[3] + toQuanta;
+    const int alike = p.known == 0 ? guessed : ones[1] + sizes[2] - sizes[3] + toSteps;
     const auto fromFloor = [&](int size) { return static_cast<std::size_t>(std::clamp((size - 8 * floor_ + 16) >> 1, 0, kGuesses - 1)); };
     const std::size_t guess = fromFloor(guessed), ratio = fromFloor(alike), other = relative(sizes[0], p.others), same = relative(sizes[1], p.known - p.others);
     const auto confidence = static_cast<std::size_t>(std::min(p.known, 3)), shape = static_cast<std::size_t>(p.shape);
     const auto crossings = static_cast<std::size_t>(std::min(p.crossings, kCrossings - 1));
-    Chance* const byShape = &byShape_[(crossings * 64 + shape) * kMostOctaves];
-    Chance* const byGuess = &byGuess_[((confidence * kGuesses + guess) * 4 + other / 4) * kMostOctaves];
-    Chance* const bySizes = &bySizes_[((crossings * 16 + other) * 16 + same) * kMostOctaves];
-    Chance* const byAll = &byAll_[((ratio * 16 + shape / 4) * kCrossings + crossings) * kMostOctaves];
+    BitModel* const byShape = &byShape_[(crossings * 64 + shape) * kMostExponents];
+    BitModel* const byGuess = &byGuess_[((confidence * kGuesses + guess) * 4 + other / 4) * kMostExponents];
+    BitModel* const bySizes = &bySizes_[((crossings * 16 + other) * 16 + same) * kMostExponents];
+    BitModel* const byAll = &byAll_[((ratio * 16 + shape / 4) * kCrossings + crossings) * kMostExponents];
     const std::size_t trust = (other != 0 ? 1 : 0) + (same != 0 ? 2 : 0);
     auto above = [&](int k) {
-      const auto at = static_cast<std::size_t>(std::min(k, kMostOctaves - 1));
-      return Mixer<kInputs>::template bit<127, 10>(ask.coder(), octave > k, {byShape + at, byGuess + at, bySizes + at, byAll + at},
+      const auto at = static_cast<std::size_t>(std::min(k, kMostExponents - 1));
+      return Mixer<kInputs>::template bit<127, 10>(exchange.coder(), exponent > k, {byShape + at, byGuess + at, bySizes + at, byAll + at},
                                                    weights_[at * 4 + trust]);
     };
     int k = std::clamp(((guessed - 1) >> 3) + 1 - floor_, 0, last);
@@ -140,12 +140,12 @@ class OctavesCoder {
   DisplacementWindow<D> displaced_;
   Tube<D> tube_;
   ScalarWindow<D> window_;
-  ShapeEstimate<D> shapes_{Kernel::Wide};  // as a context best for all
+  ShapeEstimate<D> shapes_{SmoothingFilter::Wide};  // as a context best for all
   int gradient_ = 0, floor_ = 0, shift_ = 0;  // of the brick in work
   int lastGradient_ = 0;
-  std::array<Chance, 16> gradientModel_;
-  std::vector<Chance> byShape_, byGuess_, bySizes_, byAll_;
-  std::array<Mixer<kInputs>::Weights, kMostOctaves * 4> weights_;
+  std::array<BitModel, 16> gradientModel_;
+  std::vector<BitModel> byShape_, byGuess_, bySizes_, byAll_;
+  std::array<Mixer<kInputs>::Weights, kMostExponents * 4> weights_;
 };
 
 }  // namespace isostar

@@ -11,24 +11,24 @@ namespace isostar {
 template <int D>
 class FitCoder {
  public:
-  ISOSTAR_SELDOM FitCoder() : byLevel_(kFitContexts), byBent_(kFitContexts), byBoth_(kBothContexts) { weights_.fill(Mixer<4>::fresh()); }
+  ISOSTAR_COLD FitCoder() : byLevel_(kFitContexts), byBent_(kFitContexts), byBoth_(kBothContexts) { weights_.fill(Mixer<4>::initialWeights()); }
 
   /// A brick's scalars, and its gradient as Scalars keep it.
   void enter(const ScalarWindow<D>& scalars, int gradient) { window_.load(scalars, gradient); }
   /// Fits what is around vertex x in row r.
   void find(std::size_t r, int x, bool positive) { fit_ = LocalFit<D>::of(window_, r, x, positive); }
   /// Takes over what has been told of it.
-  void tell(std::size_t r, int x, int32_t scalar) { window_.tell(r, x, scalar); }
+  void code(std::size_t r, int x, int32_t scalar) { window_.code(r, x, scalar); }
 
   /// Does the vertex found last lie in the upper half? `middle` in half quanta, 2^log2Half of these to each end; `fineness`: of the
   /// interval, 0 … 7; `byPairs`: the chance by pairs of neighbours.
   template <class Coder>
-  bool upper(Coder& coder, bool truth, uint32_t middle, int log2Half, std::size_t fineness, Chance& byPairs) {
+  bool upper(Coder& coder, bool actual, uint32_t middle, int log2Half, std::size_t fineness, BitModel& byPairs) {
     const std::size_t level = ratioOf(fit_.level, middle, log2Half), bent = ratioOf(fit_.bent, middle, log2Half);
     const std::size_t counted = fineness * kCounts + static_cast<std::size_t>(std::min(fit_.known / 3, kCounts - 1));
-    const std::array<Chance*, 4> contexts{&byPairs, &byLevel_[counted * kRatios + level], &byBent_[counted * kRatios + bent],
+    const std::array<BitModel*, 4> contexts{&byPairs, &byLevel_[counted * kRatios + level], &byBent_[counted * kRatios + bent],
                                           &byBoth_[(fineness * (kRatios / 2) + level / 2) * (kRatios / 2) + bent / 2]};
-    return Mixer<4>::template bit<255, 10>(coder, truth, contexts, weights_[counted]);
+    return Mixer<4>::template bit<255, 10>(coder, actual, contexts, weights_[counted]);
   }
 
  private:
@@ -47,7 +47,7 @@ class FitCoder {
 
   FitWindow<D> window_;
   LocalFit<D> fit_;  // of the vertex in work
-  std::vector<Chance> byLevel_, byBent_, byBoth_;
+  std::vector<BitModel> byLevel_, byBent_, byBoth_;
   std::array<Mixer<4>::Weights, kFinenesses * kCounts> weights_;
 };
 

@@ -11,9 +11,9 @@ namespace isostar {
 /// A pass over displacements or scalars, decided by the encoder.
 template <int D>
 struct GeometryPass {
-  using Allowed = typename HalvingCoder<D>::Allowed;
+  using Allowed = typename MagnitudeCoder<D>::Allowed;
 
-  LayerKind kind = LayerKind::Octaves;
+  LayerKind kind = LayerKind::Exponents;
   Members members = Members::AxisEnds;
   int depth = 3;           // Octaves: of the floor below the gradient
   Allowed allowed{};       // Halving
@@ -22,14 +22,14 @@ struct GeometryPass {
   DisplacementPass displacement{};   // Displacement
 
   /// As HalvingCoder takes it; `fitted` holds for a whole stream.
-  [[nodiscard]] typename HalvingCoder<D>::Pass halving(bool fitted) const { return {members, allowed, most, selective, fitted}; }
+  [[nodiscard]] typename MagnitudeCoder<D>::Pass magnitudePass(bool fitted) const { return {members, allowed, most, selective, fitted}; }
 
   void write(ByteWriter& out) const {
     if (kind == LayerKind::Displacement) {
       out.u8(static_cast<uint64_t>(displacement.log2Side) | static_cast<uint64_t>(displacement.step) << 2);
       return;
     }
-    if (kind == LayerKind::Octaves) {
+    if (kind == LayerKind::Exponents) {
       out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(depth) << 1);
       return;
     }
@@ -40,14 +40,14 @@ struct GeometryPass {
     for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) out.varint(allowed[axes]);
   }
   /// False where a field is out of its range.
-  [[nodiscard]] ISOSTAR_SELDOM bool read(ByteReader& in) {
+  [[nodiscard]] ISOSTAR_COLD bool read(ByteReader& in) {
     const uint32_t first = in.u8();
     if (kind == LayerKind::Displacement) {
       displacement = {static_cast<int>(first & 3), static_cast<int>(first >> 2)};
       return in.overrun() || (displacement.log2Side > 0 && displacement.step > 0);
     }
     members = static_cast<Members>(first & 1);
-    if (kind == LayerKind::Octaves) {
+    if (kind == LayerKind::Exponents) {
       depth = static_cast<int>(first >> 1);
       return depth <= 32;
     }

@@ -15,9 +15,9 @@ namespace isostar {
 /// Halves the intervals of those vertices that still move a vertex of the surface by more than the pass allows, as both
 /// sides can see.
 template <int D>
-class HalvingCoder {
+class MagnitudeCoder {
  public:
-  HalvingCoder() : chances_(kContexts) {}
+  MagnitudeCoder() : models_(kContexts) {}
 
   using Allowed = typename FarEnds<D>::Allowed;
 
@@ -32,18 +32,18 @@ class HalvingCoder {
   };
 
   template <class Exchange>
-  void tell(Exchange& ask, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
+  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
     if (pass.fitted && !fit_) fit_.emplace();
-    for (std::size_t place = 0; place < active.size() && !ask.spent(); ++place) {
-      if (active[place] == 0 || !scalars.has(place)) continue;
-      if (pass.selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
-      gradient_ = scalars.gradient(place);
+    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(); ++brickIndex) {
+      if (active[brickIndex] == 0 || !scalars.has(brickIndex)) continue;
+      if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex))) continue;
+      gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
-      window_.load(scalars, signs.table(), signs.table().brick(place));
+      window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
       if (pass.fitted) fit_->enter(window_, gradient_);
-      auto& brick = scalars.writable(place);
+      auto& brick = scalars.writable(brickIndex);
       brick.members[static_cast<std::size_t>(pass.members)].forEach([&](std::size_t r, int x) {
-        if (!ask.spent()) vertex(ask, brick, place, r, x, pass);
+        if (!exchange.exhausted()) vertex(exchange, brick, brickIndex, r, x, pass);
       });
     }
   }
@@ -58,7 +58,7 @@ class HalvingCoder {
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
 
   template <class Exchange>
-  void vertex(Exchange& ask, typename Scalars<D>::Brick& brick, std::size_t place, std::size_t r, int x, const Pass& pass) {
+  void vertex(Exchange& exchange, typename Scalars<D>::Brick& brick, std::size_t brickIndex, std::size_t r, int x, const Pass& pass) {
     const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
     if (!brick.knows(v)) return;
     const bool positive = brick.value[v] > 0;
@@ -68,12 +68,12 @@ class HalvingCoder {
     const auto guess = Interpolation<D>::of(window_, r, x, positive);
     if (pass.fitted) fit_->find(r, x, positive);
     const auto neighbour = [&](int axis, bool ahead) { return window_.value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))]; };
-    auto aim = ask.aim(place, r, x, neighbour, pass.allowed);
-    aim.choose(interval.middle, uint32_t{1} << interval.width, [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
-    for (int told = 0; told < pass.most && moves(interval, pass.selective); ++told) halve(ask, interval, guess, aim, pass);
+    auto target = exchange.target(brickIndex, r, x, neighbour, pass.allowed);
+    target.choose(interval.middle, uint32_t{1} << interval.width, [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
+    for (int coded = 0; coded < pass.most && moves(interval, pass.selective); ++coded) halve(exchange, interval, guess, target, pass);
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
-    if (pass.fitted) fit_->tell(r, x, brick.value[v]);
+    if (pass.fitted) fit_->code(r, x, brick.value[v]);
   }
 
   [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
@@ -89,20 +89,20 @@ class HalvingCoder {
     return interval.middle;
   }
 
-  template <class Exchange, class Aim>
-  void halve(Exchange& ask, Interval& interval, const Interpolation<D>& guess, Aim& aim, const Pass& pass) {
+  template <class Exchange, class RdoqTarget>
+  void halve(Exchange& exchange, Interval& interval, const Interpolation<D>& guess, RdoqTarget& target, const Pass& pass) {
     const Interval whole = interval;
     const int width = --interval.width;
     // Where the guess lies in the interval, in sixteenths; it may lie outside.
     const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
     const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
     const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - width, 0, 7));
-    Chance& chance = chances_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
-    const bool upper = aim.persuade(
-        ask.coder(), whole.middle, [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
+    BitModel& probability = models_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
+    const bool upper = target.codeUpper(
+        exchange.coder(), whole.middle, [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
         [&](auto& coder) {
-          const bool isUpper = aim.upper(whole.middle);
-          return pass.fitted ? fit_->upper(coder, isUpper, whole.middle, width, fineness, chance) : chance.bit(coder, isUpper);
+          const bool isUpper = target.upper(whole.middle);
+          return pass.fitted ? fit_->upper(coder, isUpper, whole.middle, width, fineness, probability) : probability.bit(coder, isUpper);
         });
     const uint32_t half = uint32_t{1} << width;
     interval.middle += upper ? half : -half;
@@ -111,8 +111,8 @@ class HalvingCoder {
   ScalarWindow<D> window_;
   int gradient_ = 0;     // of the brick in work
   FarEnds<D> farEnds_;   // of the vertex in work
-  Chance selectModel_;
-  std::vector<Chance> chances_;
+  BitModel selectModel_;
+  std::vector<BitModel> models_;
   std::optional<FitCoder<D>> fit_;  // where a pass is fitted
 };
 

@@ -13,17 +13,17 @@ namespace isostar {
 
 /// An isovalue whose signs have been told, and how far its scalars are.
 template <int D>
-struct NearSurface {
+struct FurtherSurface {
   double isovalue = 0;
-  int32_t level = 0;  // quanta above the first isovalue
+  int32_t isoStep = 0;  // quanta above the first isovalue
   Signs<D> signs;
   std::vector<uint8_t> active;  // as of activeBricks(signs)
   Scalars<D> scalars;           // of all vertices with an interval, seen from the isovalue
-  std::array<bool, 2> told{};   // by Members
+  std::array<bool, 2> coded{};   // by Members
 };
 
 template <int D>
-class CloseBy {
+class FurtherIsovalues {
  public:
   /// The first isovalue's surface, as far as it has been told.
   struct First {
@@ -35,7 +35,7 @@ class CloseBy {
   /// A surface that has been told, and where its isovalue is.
   struct Neighbour {
     double isovalue;
-    int32_t level;
+    int32_t isoStep;
     const Signs<D>* signs;
   };
   /// There is at least one: the first.
@@ -46,9 +46,9 @@ class CloseBy {
     }
   };
 
-  [[nodiscard]] const std::vector<NearSurface<D>>& surfaces() const { return surfaces_; }
+  [[nodiscard]] const std::vector<FurtherSurface<D>>& surfaces() const { return surfaces_; }
   /// Of an isovalue; null where its signs have not been told.
-  [[nodiscard]] const NearSurface<D>* find(double isovalue) const {
+  [[nodiscard]] const FurtherSurface<D>* find(double isovalue) const {
     for (const auto& s : surfaces_) {
       if (s.isovalue == isovalue) return &s;
     }
@@ -57,41 +57,41 @@ class CloseBy {
 
   /// The signs of one more isovalue, `level` quanta above the first one; by `margin` levels and signs may disagree.
   template <class Exchange>
-  [[gnu::noinline]] void signs(Exchange& ask, const First& first, double isovalue, int32_t level, int32_t margin) {
+  [[gnu::noinline]] void signs(Exchange& exchange, const First& first, double isovalue, int32_t isoStep, int32_t margin) {
     if (surfaces_.empty()) takeOver(first);
     if (!coders_) coders_ = std::make_unique<Coders>();
-    NearSurface<D> fresh;
-    fresh.isovalue = isovalue;
-    fresh.level = level;
-    typename NearSignsCoder<D>::Task task;
-    task.level = level;
+    FurtherSurface<D> added;
+    added.isovalue = isovalue;
+    added.isoStep = isoStep;
+    typename FurtherSignCoder<D>::Task task;
+    task.isoStep = isoStep;
     task.margin = margin;
     const Neighbours near = neighbours(first, isovalue);
-    if (near.below) std::tie(task.below, task.levelBelow) = std::pair(near.below->signs, near.below->level);
-    if (near.above) std::tie(task.above, task.levelAbove) = std::pair(near.above->signs, near.above->level);
-    fresh.signs = *near.nearest(isovalue).signs;
-    fresh.scalars = seenFrom(first, level);
-    coders_->signs.tell(ask, task, intervals_, fresh.signs, fresh.scalars);
-    if (ask.spent()) return;  // not all are known
-    fresh.active = activeBricks(fresh.signs);
-    surfaces_.push_back(std::move(fresh));
+    if (near.below) std::tie(task.below, task.isoStepBelow) = std::pair(near.below->signs, near.below->isoStep);
+    if (near.above) std::tie(task.above, task.isoStepAbove) = std::pair(near.above->signs, near.above->isoStep);
+    added.signs = *near.nearest(isovalue).signs;
+    added.scalars = seenFrom(first, isoStep);
+    coders_->signs.code(exchange, task, intervals_, added.signs, added.scalars);
+    if (exchange.exhausted()) return;  // not all are known
+    added.active = activeBricks(added.signs);
+    surfaces_.push_back(std::move(added));
   }
 
   /// Octaves of what has no bounds yet.
   template <class Exchange>
-  [[gnu::noinline]] void octaves(Exchange& ask, Members members, int depth) {
-    NearSurface<D>& last = surfaces_.back();
-    coders_->octaves.tell(ask, last.signs, last.scalars, members, depth, last.active);
-    for (std::size_t place = 0; place < last.active.size(); ++place) {
-      if (last.active[place] != 0 && last.scalars.has(place)) intervals_.add(place, last.scalars.at(place), last.level);
+  [[gnu::noinline]] void exponents(Exchange& exchange, Members members, int depth) {
+    FurtherSurface<D>& last = surfaces_.back();
+    coders_->exponents.code(exchange, last.signs, last.scalars, members, depth, last.active);
+    for (std::size_t brickIndex = 0; brickIndex < last.active.size(); ++brickIndex) {
+      if (last.active[brickIndex] != 0 && last.scalars.has(brickIndex)) intervals_.add(brickIndex, last.scalars.at(brickIndex), last.isoStep);
     }
-    last.told[static_cast<std::size_t>(members)] = true;
+    last.coded[static_cast<std::size_t>(members)] = true;
   }
 
   template <class Exchange>
-  void halvings(Exchange& ask, const typename NearHalvingCoder<D>::Pass& pass) {
-    NearSurface<D>& last = surfaces_.back();
-    coders_->halvings.tell(ask, last.signs, last.level, intervals_, last.scalars, pass, last.active);
+  void magnitudes(Exchange& exchange, const typename FurtherMagnitudeCoder<D>::Pass& pass) {
+    FurtherSurface<D>& last = surfaces_.back();
+    coders_->magnitudes.code(exchange, last.signs, last.isoStep, intervals_, last.scalars, pass, last.active);
   }
 
   /// The isovalues told on both sides of another.
@@ -102,27 +102,27 @@ class CloseBy {
       if (one.isovalue > isovalue && (!near.above || one.isovalue < near.above->isovalue)) near.above = one;
     };
     see({first.isovalue, 0, &first.signs});
-    for (const auto& s : surfaces_) see({s.isovalue, s.level, &s.signs});
+    for (const auto& s : surfaces_) see({s.isovalue, s.isoStep, &s.signs});
     return near;
   }
 
   /// Middles of all intervals, with the gradients of the last isovalue told there.
-  [[nodiscard]] Scalars<D> seenFrom(const First& first, int32_t level) const {
-    if (intervals_.places() == 0) return first.scalars;  // no further one has begun
-    Scalars<D> scalars(intervals_.places());
+  [[nodiscard]] Scalars<D> seenFrom(const First& first, int32_t isoStep) const {
+    if (intervals_.tableSize() == 0) return first.scalars;  // no further one has begun
+    Scalars<D> scalars(intervals_.tableSize());
     int gradient = 0;
-    for (std::size_t place = 0; place < intervals_.places(); ++place) {
-      if (!intervals_.has(place)) continue;
-      auto& brick = scalars.writable(place);
-      const auto& known = intervals_.at(place);
+    for (std::size_t brickIndex = 0; brickIndex < intervals_.tableSize(); ++brickIndex) {
+      if (!intervals_.has(brickIndex)) continue;
+      auto& brick = scalars.writable(brickIndex);
+      const auto& known = intervals_.at(brickIndex);
       for (std::size_t v = 0; v < known.size(); ++v) {
-        if (known[v].bounded()) brick.value[v] = known[v].value(level);
+        if (known[v].bounded()) brick.value[v] = known[v].value(isoStep);
       }
-      if (place < first.scalars.places() && first.scalars.has(place)) gradient = first.scalars.gradient(place);
+      if (brickIndex < first.scalars.tableSize() && first.scalars.has(brickIndex)) gradient = first.scalars.gradient(brickIndex);
       for (const auto& s : surfaces_) {
-        if (s.scalars.has(place)) gradient = s.scalars.gradient(place);
+        if (s.scalars.has(brickIndex)) gradient = s.scalars.gradient(brickIndex);
       }
-      scalars.setGradient(place, gradient);
+      scalars.setGradient(brickIndex, gradient);
     }
     return scalars;
   }
@@ -130,19 +130,19 @@ class CloseBy {
   /// Bytes that it takes at most to begin one more isovalue: intervals, scalars, signs as they are and as they become tidy.
   [[nodiscard]] uint64_t memoryToBegin(const First& first) const {
     const auto& table = first.signs.table();
-    const uint64_t places = table.total();
+    const uint64_t brickIndices = table.total();
     const bool none = surfaces_.empty();
     const uint64_t known = bricksSeen(first);
     uint64_t most = first.signs.brickCount();
     for (const auto& s : surfaces_) most = std::max<uint64_t>(most, s.signs.brickCount());
-    return (none ? Intervals<D>::memoryOf(places, known) : 0) + Scalars<D>::memoryOf(places, known) + places +
-           2 * Signs<D>::memoryToFill(places, most) + VertexFront<D>::memoryToBegin(table, 2 * most);
+    return (none ? Intervals<D>::memoryOf(brickIndices, known) : 0) + Scalars<D>::memoryOf(brickIndices, known) + brickIndices +
+           2 * Signs<D>::memoryToFill(brickIndices, most) + VertexFront<D>::memoryToBegin(table, 2 * most);
   }
   /// The same for scalars that are told of vertices without an interval.
-  [[nodiscard]] uint64_t memoryToTell() const {
+  [[nodiscard]] uint64_t memoryToCode() const {
     const auto& active = surfaces_.back().active;
     uint64_t bricks = 0;
-    for (std::size_t place = 0; place < active.size(); ++place) bricks += active[place] != 0 && !intervals_.has(place) ? 1 : 0;
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) bricks += active[brickIndex] != 0 && !intervals_.has(brickIndex) ? 1 : 0;
     return Scalars<D>::memoryOf(0, bricks) + Intervals<D>::memoryOf(0, bricks);
   }
   /// Bytes in use beside the models, while one more brick is made.
@@ -157,19 +157,19 @@ class CloseBy {
 
  private:
   struct Coders {
-    NearSignsCoder<D> signs;
-    OctavesCoder<D> octaves;
-    NearHalvingCoder<D> halvings;
+    FurtherSignCoder<D> signs;
+    ExponentCoder<D> exponents;
+    FurtherMagnitudeCoder<D> magnitudes;
   };
 
   void takeOver(const First& first) {
     intervals_ = Intervals<D>(first.signs.table().total());
-    for (std::size_t place = 0; place < first.scalars.places(); ++place) {
-      if (first.scalars.has(place)) intervals_.add(place, first.scalars.at(place), 0);
+    for (std::size_t brickIndex = 0; brickIndex < first.scalars.tableSize(); ++brickIndex) {
+      if (first.scalars.has(brickIndex)) intervals_.add(brickIndex, first.scalars.at(brickIndex), 0);
     }
   }
 
-  std::vector<NearSurface<D>> surfaces_;
+  std::vector<FurtherSurface<D>> surfaces_;
   Intervals<D> intervals_;
   std::unique_ptr<Coders> coders_;  // most streams need none
 };

@@ -8,37 +8,37 @@ namespace isostar {
 
 /// As HalvingCoder does it, for intervals of any width: other isovalues have cut them anywhere.
 template <int D>
-class NearHalvingCoder {
+class FurtherMagnitudeCoder {
  public:
-  NearHalvingCoder() : chances_(kContexts) {}
+  FurtherMagnitudeCoder() : models_(kContexts) {}
 
-  using Pass = typename HalvingCoder<D>::Pass;
+  using Pass = typename MagnitudeCoder<D>::Pass;
 
   /// `scalars` are what intervals tell as seen from `level`, the isovalue's.
   template <class Exchange>
-  void tell(Exchange& ask, const Signs<D>& signs, int32_t level, Intervals<D>& intervals, Scalars<D>& scalars, const Pass& pass,
+  void code(Exchange& exchange, const Signs<D>& signs, int32_t isoStep, Intervals<D>& intervals, Scalars<D>& scalars, const Pass& pass,
             const std::vector<uint8_t>& active) {
-    for (std::size_t place = 0; place < active.size() && !ask.spent(); ++place) {
-      if (active[place] == 0 || !scalars.has(place) || !intervals.has(place)) continue;
-      if (pass.selective && !selectModel_.bit(ask.coder(), ask.selected(place))) continue;
-      gradient_ = scalars.gradient(place);
+    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(); ++brickIndex) {
+      if (active[brickIndex] == 0 || !scalars.has(brickIndex) || !intervals.has(brickIndex)) continue;
+      if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex))) continue;
+      gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
-      window_.load(scalars, signs.table(), signs.table().brick(place));
-      auto& brick = scalars.writable(place);
-      auto& known = intervals.writable(place);
+      window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
+      auto& brick = scalars.writable(brickIndex);
+      auto& known = intervals.writable(brickIndex);
       brick.members[static_cast<std::size_t>(pass.members)].forEach([&](std::size_t r, int x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
-        if (ask.spent() || !brick.knows(v) || !known[v].bounded()) return;
+        if (exchange.exhausted() || !brick.knows(v) || !known[v].bounded()) return;
         const bool positive = brick.value[v] > 0;
         farEnds_.find(window_, r, x, positive, pass.allowed);
-        if (!moves(known[v], level, pass.selective)) return;
+        if (!moves(known[v], isoStep, pass.selective)) return;
         const auto guess = Interpolation<D>::of(window_, r, x, positive);
-        const auto truth = static_cast<int32_t>(ask.magnitude(place, r, x));
-        const int32_t own = level + (positive ? truth : -1 - truth), expected = guessed(guess, positive, level, known[v]);
-        for (int told = 0; told < pass.most && moves(known[v], level, pass.selective); ++told) {
-          halve(ask, known[v], expected, guess.confidence, own);
+        const auto actual = static_cast<int32_t>(exchange.magnitude(brickIndex, r, x));
+        const int32_t own = isoStep + (positive ? actual : -1 - actual), expected = guessed(guess, positive, isoStep, known[v]);
+        for (int coded = 0; coded < pass.most && moves(known[v], isoStep, pass.selective); ++coded) {
+          halve(exchange, known[v], expected, guess.confidence, own);
         }
-        window_.value[window_.index(r, x)] = brick.value[v] = known[v].value(level);
+        window_.value[window_.index(r, x)] = brick.value[v] = known[v].value(isoStep);
       });
     }
   }
@@ -47,32 +47,32 @@ class NearHalvingCoder {
   static constexpr int kRatios = 32;
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
 
-  [[nodiscard]] bool moves(const Interval& interval, int32_t level, bool selective) const {
-    return interval.width() > 1 && farEnds_.move(static_cast<uint32_t>(std::abs(interval.value(level))), interval.width(), selective);
+  [[nodiscard]] bool moves(const Interval& interval, int32_t isoStep, bool selective) const {
+    return interval.width() > 1 && farEnds_.move(static_cast<uint32_t>(std::abs(interval.value(isoStep))), interval.width(), selective);
   }
 
   /// The level that is guessed; not far outside the interval.
-  static int32_t guessed(const Interpolation<D>& guess, bool positive, int32_t level, const Interval& interval) {
-    const int64_t away = guess.magnitude / 2, at = level + (positive ? away : -away);
+  static int32_t guessed(const Interpolation<D>& guess, bool positive, int32_t isoStep, const Interval& interval) {
+    const int64_t away = guess.magnitude / 2, at = isoStep + (positive ? away : -away);
     return static_cast<int32_t>(std::clamp<int64_t>(at, int64_t{interval.low} - interval.width(), int64_t{interval.high} + interval.width()));
   }
 
   template <class Exchange>
-  void halve(Exchange& ask, Interval& interval, int32_t guess, int confidence, int32_t truth) {
+  void halve(Exchange& exchange, Interval& interval, int32_t guess, int confidence, int32_t actual) {
     const auto width = static_cast<int64_t>(interval.width());
     const auto middle = static_cast<int32_t>(interval.low + width / 2);
     const int64_t offset = (int64_t{guess} - middle) * (kRatios / 2) / width;
     const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
     const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - (32 - std::countl_zero(interval.width())) + 2, 0, 7));
-    Chance& chance = chances_[(fineness * 4 + static_cast<std::size_t>(confidence)) * kRatios + ratio];
-    (chance.bit(ask.coder(), truth >= middle) ? interval.low : interval.high) = middle;
+    BitModel& probability = models_[(fineness * 4 + static_cast<std::size_t>(confidence)) * kRatios + ratio];
+    (probability.bit(exchange.coder(), actual >= middle) ? interval.low : interval.high) = middle;
   }
 
   ScalarWindow<D> window_;
   int gradient_ = 0;    // of the brick in work
   FarEnds<D> farEnds_;  // of the vertex in work
-  Chance selectModel_;
-  std::vector<Chance> chances_;
+  BitModel selectModel_;
+  std::vector<BitModel> models_;
 };
 
 }  // namespace isostar

@@ -14,34 +14,34 @@ namespace isostar {
 /// components that first appear: exceptions, localized by group of bricks, brick, row and vertex, from each of which the
 /// front goes on. So the signs are exactly the source's.
 template <int D>
-class NearSignsCoder {
+class FurtherSignCoder {
  public:
-  NearSignsCoder() : byInterval_(kIntervalContexts), byGuess_(kGuessContexts), byCrossings_(kCrossingContexts), byPattern_(kPatternContexts) {
-    weights_.fill(Mixer<kInputs>::fresh());
+  FurtherSignCoder() : byInterval_(kIntervalContexts), byGuess_(kGuessContexts), byCrossings_(kCrossingContexts), byPattern_(kPatternContexts) {
+    weights_.fill(Mixer<kInputs>::initialWeights());
   }
 
   /// Levels of the new isovalue and of those told next to it, null where there is none; `margin` is by how many quanta
   /// levels and signs may disagree.
   struct Task {
-    int32_t level = 0, margin = 0;
+    int32_t isoStep = 0, margin = 0;
     const Signs<D>*below = nullptr, *above = nullptr;
-    int32_t levelBelow = -Interval::kFar, levelAbove = Interval::kFar;
+    int32_t isoStepBelow = -Interval::kFar, isoStepAbove = Interval::kFar;
   };
 
   /// `signs` are the nearest isovalue's at first; `scalars` what intervals tell, seen from the new isovalue.
   template <class Exchange>
-  [[gnu::noinline]] void tell(Exchange& ask, const Task& task, Intervals<D>& intervals, Signs<D>& signs, Scalars<D>& scalars) {
+  [[gnu::noinline]] void code(Exchange& exchange, const Task& task, Intervals<D>& intervals, Signs<D>& signs, Scalars<D>& scalars) {
     task_ = &task;
     intervals_ = &intervals;
     signs_ = &signs;
     scalars_ = &scalars;
     front_.begin(signs, task.below, task.above);
-    for (std::size_t place = 0; place < front_.places(); ++place) decide(place);
-    for (std::size_t place = 0; place < front_.places() && !spent(ask); ++place) tellCut(ask, place);
+    for (std::size_t brickIndex = 0; brickIndex < front_.tableSize(); ++brickIndex) decide(brickIndex);
+    for (std::size_t brickIndex = 0; brickIndex < front_.tableSize() && !exhausted(exchange); ++brickIndex) codeCut(exchange, brickIndex);
     front_.queueAll();
-    grow(ask);
-    for (std::size_t first = 0; first < front_.places() && !spent(ask); first += kGroup) {
-      group(ask, first, std::min(first + kGroup, front_.places()));
+    grow(exchange);
+    for (std::size_t first = 0; first < front_.tableSize() && !exhausted(exchange); first += kGroup) {
+      group(exchange, first, std::min(first + kGroup, front_.tableSize()));
     }
     front_.end();
   }
@@ -58,56 +58,56 @@ class NearSignsCoder {
   static constexpr std::size_t kPatternContexts = (1u << (2 * D)) * 5;
 
   template <class Exchange>
-  bool spent(Exchange& ask) const {
-    return ask.spent(signs_->memory() + scalars_->memory() + intervals_->memory() + front_.memory());
+  bool exhausted(Exchange& exchange) const {
+    return exchange.exhausted(signs_->memory() + scalars_->memory() + intervals_->memory() + front_.memory());
   }
 
   /// Does a known interval lie on one side?
-  [[nodiscard]] bool above(const Interval& i) const { return i.low >= task_->level + task_->margin; }
-  [[nodiscard]] bool below(const Interval& i) const { return i.high <= task_->level - task_->margin; }
+  [[nodiscard]] bool above(const Interval& i) const { return i.low >= task_->isoStep + task_->margin; }
+  [[nodiscard]] bool below(const Interval& i) const { return i.high <= task_->isoStep - task_->margin; }
 
   /// Closes the vertices of a brick that their intervals decide.
-  void decide(std::size_t place) {
-    if (!intervals_->has(place) || !front_.open(place)) return;
-    const auto& known = intervals_->at(place);
+  void decide(std::size_t brickIndex) {
+    if (!intervals_->has(brickIndex) || !front_.open(brickIndex)) return;
+    const auto& known = intervals_->at(brickIndex);
     for (std::size_t r = 0; r < kRows; ++r) {
-      for (uint32_t open = front_.openRow(place, r); open != 0; open &= open - 1) {
+      for (uint32_t open = front_.openRow(brickIndex, r); open != 0; open &= open - 1) {
         const int x = std::countr_zero(open);
         const Interval& interval = known[vertexOf(r, x)];
-        if (interval.bounded() && (above(interval) || below(interval))) front_.close(place, r, x, above(interval));
+        if (interval.bounded() && (above(interval) || below(interval))) front_.close(brickIndex, r, x, above(interval));
       }
     }
   }
 
   /// Tells the vertices of a brick whose intervals the new isovalue cuts.
   template <class Exchange>
-  void tellCut(Exchange& ask, std::size_t place) {
-    if (!intervals_->has(place) || !front_.open(place)) return;
-    const auto& known = intervals_->at(place);
+  void codeCut(Exchange& exchange, std::size_t brickIndex) {
+    if (!intervals_->has(brickIndex) || !front_.open(brickIndex)) return;
+    const auto& known = intervals_->at(brickIndex);
     bool entered = false;
     for (std::size_t r = 0; r < kRows; ++r) {
-      for (uint32_t open = front_.openRow(place, r); open != 0; open &= open - 1) {
+      for (uint32_t open = front_.openRow(brickIndex, r); open != 0; open &= open - 1) {
         const int x = std::countr_zero(open);
         if (!known[vertexOf(r, x)].bounded()) continue;
-        if (!entered) enter(place);
+        if (!entered) enter(brickIndex);
         entered = true;
-        tellVertex(ask, place, r, x);
+        codeVertex(exchange, brickIndex, r, x);
       }
     }
     front_.leave();
   }
 
   template <class Exchange>
-  [[gnu::noinline]] void grow(Exchange& ask) {
-    while (const auto place = front_.next()) {
-      if (spent(ask)) return;
-      enter(*place);
+  [[gnu::noinline]] void grow(Exchange& exchange) {
+    while (const auto brickIndex = front_.next()) {
+      if (exhausted(exchange)) return;
+      enter(*brickIndex);
       for (bool more = true; more;) {
         more = false;
         for (std::size_t r = 0; r < kRows; ++r) {
-          while (const uint32_t beside = front_.beside(*place, r)) {
-            if (ask.spent()) return;
-            tellVertex(ask, *place, r, std::countr_zero(beside));
+          while (const uint32_t beside = front_.beside(*brickIndex, r)) {
+            if (exchange.exhausted()) return;
+            codeVertex(exchange, *brickIndex, r, std::countr_zero(beside));
             more = true;
           }
         }
@@ -118,64 +118,64 @@ class NearSignsCoder {
 
   /// Components that first appear.
   template <class Exchange>
-  void group(Exchange& ask, std::size_t first, std::size_t end) {
+  void group(Exchange& exchange, std::size_t first, std::size_t end) {
     bool any = false, open = false;
-    for (std::size_t place = first; place < end; ++place) {
-      open = open || front_.open(place);
-      any = any || hasExceptions(ask, place);
+    for (std::size_t brickIndex = first; brickIndex < end; ++brickIndex) {
+      open = open || front_.open(brickIndex);
+      any = any || hasNewComponents(exchange, brickIndex);
     }
-    if (!open || !groupFlag_.bit(ask.coder(), any)) return;
-    for (std::size_t place = first; place < end && !spent(ask); ++place) {
-      if (!front_.open(place) || !brickFlag_.bit(ask.coder(), hasExceptions(ask, place))) continue;
-      for (std::size_t r = 0; r < kRows; ++r) row(ask, place, r);
+    if (!open || !groupFlag_.bit(exchange.coder(), any)) return;
+    for (std::size_t brickIndex = first; brickIndex < end && !exhausted(exchange); ++brickIndex) {
+      if (!front_.open(brickIndex) || !brickFlag_.bit(exchange.coder(), hasNewComponents(exchange, brickIndex))) continue;
+      for (std::size_t r = 0; r < kRows; ++r) row(exchange, brickIndex, r);
     }
   }
 
   template <class Exchange>
-  [[gnu::noinline]] bool hasExceptions(Exchange& ask, std::size_t place) const {
-    if (!front_.open(place)) return false;
-    const uint32_t index = signs_->index(place);
-    if (index <= Signs<D>::kPositive && !ask.varies(place, index)) return false;
+  [[gnu::noinline]] bool hasNewComponents(Exchange& exchange, std::size_t brickIndex) const {
+    if (!front_.open(brickIndex)) return false;
+    const uint32_t index = signs_->index(brickIndex);
+    if (index <= Signs<D>::kPositive && !exchange.varies(brickIndex, index)) return false;
     uint32_t any = 0;
-    for (std::size_t r = 0; r < kRows; ++r) any |= exceptions(ask, place, r);
+    for (std::size_t r = 0; r < kRows; ++r) any |= exceptions(exchange, brickIndex, r);
     return any != 0;
   }
 
   template <class Exchange>
-  uint32_t exceptions(Exchange& ask, std::size_t place, std::size_t r) const {
-    return (ask.row(place, r) ^ signs_->brickAt(place).rows[r]) & front_.openRow(place, r);
+  uint32_t exceptions(Exchange& exchange, std::size_t brickIndex, std::size_t r) const {
+    return (exchange.row(brickIndex, r) ^ signs_->brickAt(brickIndex).rows[r]) & front_.openRow(brickIndex, r);
   }
 
   template <class Exchange>
-  void row(Exchange& ask, std::size_t place, std::size_t r) {
-    if (front_.openRow(place, r) == 0 || !rowFlag_.bit(ask.coder(), exceptions(ask, place, r) != 0)) return;
-    for (int x = 0; x < kBrickSide && !spent(ask); ++x) {
-      if ((front_.openRow(place, r) >> x & 1) == 0) continue;
-      if (!vertexFlag_.bit(ask.coder(), (exceptions(ask, place, r) >> x & 1) != 0)) continue;
-      enter(place);
-      settle(place, r, x, !front_.positive(r, x));
+  void row(Exchange& exchange, std::size_t brickIndex, std::size_t r) {
+    if (front_.openRow(brickIndex, r) == 0 || !rowFlag_.bit(exchange.coder(), exceptions(exchange, brickIndex, r) != 0)) return;
+    for (int x = 0; x < kBrickSide && !exhausted(exchange); ++x) {
+      if ((front_.openRow(brickIndex, r) >> x & 1) == 0) continue;
+      if (!vertexFlag_.bit(exchange.coder(), (exceptions(exchange, brickIndex, r) >> x & 1) != 0)) continue;
+      enter(brickIndex);
+      settle(brickIndex, r, x, !front_.positive(r, x));
       front_.leave();
-      grow(ask);
+      grow(exchange);
     }
   }
 
-  [[gnu::noinline]] void enter(std::size_t place) {
-    front_.enter(place);
-    values_.load(*scalars_, signs_->table(), signs_->table().brick(place));
+  [[gnu::noinline]] void enter(std::size_t brickIndex) {
+    front_.enter(brickIndex);
+    values_.load(*scalars_, signs_->table(), signs_->table().brick(brickIndex));
     shapes_.load(front_.window());
-    if (scalars_->has(place)) gradient_ = scalars_->gradient(place);
+    if (scalars_->has(brickIndex)) gradient_ = scalars_->gradient(brickIndex);
     steps_ = Steps(gradient_);
   }
 
   template <class Exchange>
-  [[gnu::noinline]] void tellVertex(Exchange& ask, std::size_t place, std::size_t r, int x) {
-    const bool turned = tellTurned(ask, r, x, known(place, vertexOf(r, x)), (ask.row(place, r) >> x & 1) != 0);
-    settle(place, r, x, turned != front_.positive(r, x));
+  [[gnu::noinline]] void codeVertex(Exchange& exchange, std::size_t brickIndex, std::size_t r, int x) {
+    const bool flipped = codeFlipped(exchange, r, x, known(brickIndex, vertexOf(r, x)), (exchange.row(brickIndex, r) >> x & 1) != 0);
+    settle(brickIndex, r, x, flipped != front_.positive(r, x));
   }
 
   /// Has the vertex another sign than at the nearest isovalue? Contexts are seen from that sign's side.
   template <class Exchange>
-  bool tellTurned(Exchange& ask, std::size_t r, int x, const Interval& interval, bool truth) {
+  bool codeFlipped(Exchange& exchange, std::size_t r, int x, const Interval& interval, bool actual) {
     const bool mine = front_.positive(r, x);
     const int32_t* here = &values_.value[ScalarWindow<D>::index(r, x)];
     int64_t sum = 0;
@@ -200,33 +200,33 @@ class NearSignsCoder {
     const std::size_t byStep = scaled(std::max<int64_t>(1, steps_.eighth() * 8)), confidence = static_cast<std::size_t>(std::min(count, 3));
     std::size_t part = kParts, inInterval = byStep, wide = 0;
     if (interval.bounded()) {
-      const int64_t width = interval.width(), mineSide = mine ? int64_t{interval.high} - task_->level : int64_t{task_->level} - interval.low;
+      const int64_t width = interval.width(), mineSide = mine ? int64_t{interval.high} - task_->isoStep : int64_t{task_->isoStep} - interval.low;
       part = static_cast<std::size_t>(std::clamp<int64_t>(mineSide * kParts / width, 0, kParts - 1));
       inInterval = scaled(2 * width);
       wide = static_cast<std::size_t>(std::clamp(gradient_ / 4 - (32 - std::countl_zero(interval.width())) + 2, 0, 7));
     }
     const auto sides = static_cast<std::size_t>(crossings), quarter = part / 4;
-    const std::array<Chance*, kInputs> contexts{&byInterval_[(part * kGuesses + inInterval) * 4 + confidence],
+    const std::array<BitModel*, kInputs> contexts{&byInterval_[(part * kGuesses + inInterval) * 4 + confidence],
                                                 &byGuess_[(byStep * kSides + sides) * 5 + quarter],
                                                 &byCrossings_[(sides * (kParts + 1) + part) * 8 + wide], &byPattern_[pattern * 5 + quarter]};
-    return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth != mine, contexts, weights_[sides * 5 + quarter]);
+    return Mixer<kInputs>::template bit<255, 12>(exchange.coder(), actual != mine, contexts, weights_[sides * 5 + quarter]);
   }
 
   /// What scalars tell of an open vertex, or else the signs on both sides.
-  [[nodiscard]] Interval known(std::size_t place, std::size_t v) const {
-    const Interval& interval = intervals_->at(place)[v];
-    return interval.bounded() ? interval : Interval{task_->levelBelow, task_->levelAbove};
+  [[nodiscard]] Interval known(std::size_t brickIndex, std::size_t v) const {
+    const Interval& interval = intervals_->at(brickIndex)[v];
+    return interval.bounded() ? interval : Interval{task_->isoStepBelow, task_->isoStepAbove};
   }
 
   /// A sign that is known now cuts the interval, and bounds one that had no bounds.
-  void settle(std::size_t place, std::size_t r, int x, bool positive) {
-    front_.close(place, r, x, positive);
+  void settle(std::size_t brickIndex, std::size_t r, int x, bool positive) {
+    front_.close(brickIndex, r, x, positive);
     const std::size_t v = vertexOf(r, x);
-    const Interval interval = known(place, v).cut(task_->level, positive);
+    const Interval interval = known(brickIndex, v).cut(task_->isoStep, positive);
     if (!interval.bounded()) return;
-    intervals_->writable(place)[v] = interval;
-    if (!scalars_->has(place)) scalars_->setGradient(place, gradient_);
-    scalars_->writable(place).value[v] = values_.value[ScalarWindow<D>::index(r, x)] = interval.value(task_->level);
+    intervals_->writable(brickIndex)[v] = interval;
+    if (!scalars_->has(brickIndex)) scalars_->setGradient(brickIndex, gradient_);
+    scalars_->writable(brickIndex).value[v] = values_.value[ScalarWindow<D>::index(r, x)] = interval.value(task_->isoStep);
   }
 
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
@@ -238,12 +238,12 @@ class NearSignsCoder {
   Scalars<D>* scalars_ = nullptr;
   VertexFront<D> front_;
   ScalarWindow<D> values_;
-  ShapeEstimate<D> shapes_{Kernel::Wide};
+  ShapeEstimate<D> shapes_{SmoothingFilter::Wide};
   int gradient_ = 4;
   Steps steps_;
-  std::vector<Chance> byInterval_, byGuess_, byCrossings_, byPattern_;
+  std::vector<BitModel> byInterval_, byGuess_, byCrossings_, byPattern_;
   std::array<typename Mixer<kInputs>::Weights, kSides * 5> weights_;
-  Chance groupFlag_, brickFlag_, rowFlag_, vertexFlag_;
+  BitModel groupFlag_, brickFlag_, rowFlag_, vertexFlag_;
 };
 
 }  // namespace isostar

@@ -16,18 +16,18 @@ template <int D>
 class BaseCoder {
  public:
   template <class Exchange>
-  ISOSTAR_SELDOM void tell(Exchange& ask, Signs<D>& signs) {
+  ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs) {
     const auto& lattice = signs.lattice();
     known_.assign(lattice.vertices(), kUnknown);
     visited_.assign(Simplex<D>::count(lattice), false);
     bool any = false;
-    std::optional<Simplex<D>> seed = ask.nextSeed(lattice, visited_);
-    while (!visited_.empty() && !ask.spent() && another_.bit(ask.coder(), seed.has_value())) {
+    std::optional<Simplex<D>> seed = exchange.nextSeed(lattice, visited_);
+    while (!visited_.empty() && !exchange.exhausted() && another_.bit(exchange.coder(), seed.has_value())) {
       any = true;
-      component(ask, lattice, localize(ask, lattice, seed.value_or(Simplex<D>{})));
-      seed = ask.nextSeed(lattice, visited_);
+      component(exchange, lattice, localize(exchange, lattice, seed.value_or(Simplex<D>{})));
+      seed = exchange.nextSeed(lattice, visited_);
     }
-    if (!any) known_[0] = mark(uniform_.bit(ask.coder(), ask.positive(Coordinates<D>{})));
+    if (!any) known_[0] = mark(uniform_.bit(exchange.coder(), exchange.positive(Coordinates<D>{})));
     deduce(lattice);
     write(signs);
   }
@@ -45,9 +45,9 @@ class BaseCoder {
   /// The hierarchy is a binary partition of space: one Left/Right decision halves the box across its longest side, until a
   /// cell is left; then the simplex in it. A side that is empty is no decision.
   template <class Exchange>
-  Simplex<D> localize(Exchange& ask, const Lattice<D>& lattice, const Simplex<D>& truth) {
+  Simplex<D> localize(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& actual) {
     Coordinates<D> low{}, high = lattice.last;  // cells low … high - 1
-    const auto cell = truth.cell();
+    const auto cell = actual.cell();
     for (;;) {
       int longest = 0;
       for (int a = 1; a < D; ++a) {
@@ -55,13 +55,13 @@ class BaseCoder {
       }
       if (high[longest] - low[longest] <= 1) break;
       const int32_t middle = low[longest] + (high[longest] - low[longest]) / 2;
-      (side_.bit(ask.coder(), cell[longest] >= middle) ? low : high)[longest] = middle;
+      (side_.bit(exchange.coder(), cell[longest] >= middle) ? low : high)[longest] = middle;
     }
     uint32_t first = 0, count = Simplex<D>::perCell();
-    const uint32_t rank = truth.rank();
+    const uint32_t rank = actual.rank();
     while (count > 1) {
       const uint32_t half = count / 2;
-      const bool right = side_.bit(ask.coder(), rank >= first + half);
+      const bool right = side_.bit(exchange.coder(), rank >= first + half);
       first += right ? half : 0;
       count = right ? count - half : half;
     }
@@ -69,18 +69,18 @@ class BaseCoder {
   }
 
   template <class Exchange>
-  void component(Exchange& ask, const Lattice<D>& lattice, const Simplex<D>& seed) {
-    for (int i = 0; i <= D; ++i) settle(ask, lattice, seed.vertex(i), seedModel_);
+  void component(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& seed) {
+    for (int i = 0; i <= D; ++i) settle(exchange, lattice, seed.vertex(i), seedModel_);
     visited_[seed.index(lattice)] = true;
     stack_.assign(1, seed);
-    while (!stack_.empty() && !ask.spent()) {
-      if (!step(ask, lattice, stack_.back())) stack_.pop_back();
+    while (!stack_.empty() && !exchange.exhausted()) {
+      if (!step(exchange, lattice, stack_.back())) stack_.pop_back();
     }
   }
 
   /// Goes on through the first valid gate: a crossing face that leads to a simplex not yet visited.
   template <class Exchange>
-  bool step(Exchange& ask, const Lattice<D>& lattice, const Simplex<D> from) {
+  bool step(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D> from) {
     std::array<bool, D + 1> positive;
     int positives = 0;
     for (int i = 0; i <= D; ++i) {
@@ -93,7 +93,7 @@ class BaseCoder {
       const auto next = from.across(i, lattice);
       if (!next || visited_[next->index(lattice)]) continue;
       visited_[next->index(lattice)] = true;
-      settle(ask, lattice, next->vertex(i), gateModel_[static_cast<std::size_t>(inGate)][positive[i]]);
+      settle(exchange, lattice, next->vertex(i), gateModel_[static_cast<std::size_t>(inGate)][positive[i]]);
       stack_.push_back(*next);
       return true;
     }
@@ -101,9 +101,9 @@ class BaseCoder {
   }
 
   template <class Exchange>
-  void settle(Exchange& ask, const Lattice<D>& lattice, const Coordinates<D>& v, Chance& model) {
+  void settle(Exchange& exchange, const Lattice<D>& lattice, const Coordinates<D>& v, BitModel& model) {
     uint8_t& known = known_[index(lattice, v)];
-    if (known == kUnknown) known = mark(model.bit(ask.coder(), ask.positive(v)));
+    if (known == kUnknown) known = mark(model.bit(exchange.coder(), exchange.positive(v)));
   }
 
   /// A vertex outside the tube has the sign of its neighbours.
@@ -143,8 +143,8 @@ class BaseCoder {
   std::vector<uint8_t> known_;
   std::vector<bool> visited_;
   std::vector<Simplex<D>> stack_;
-  Chance another_, uniform_, side_, seedModel_;
-  std::array<std::array<Chance, 2>, D + 1> gateModel_;
+  BitModel another_, uniform_, side_, seedModel_;
+  std::array<std::array<BitModel, 2>, D + 1> gateModel_;
 };
 
 }  // namespace isostar

@@ -11,21 +11,21 @@ class FillingCoder {
   /// Those that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a fresh one has its lower
   /// corner's sign for now. No component first appears here, or its vertices would not be absent.
   template <class Exchange>
-  ISOSTAR_SELDOM void tell(Exchange& ask, Signs<D>& signs, int dimension, const Signs<D>& absent) {
-    for (std::size_t place = 0; place < signs.table().total() && !ask.spent(signs.memory()); ++place) {
-      if (absent.index(place) == Signs<D>::kNegative) continue;
-      rows_.enter(signs, nullptr, place, dimension);
+  ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs, int dimension, const Signs<D>& absent) {
+    for (std::size_t brickIndex = 0; brickIndex < signs.table().total() && !exchange.exhausted(signs.memory()); ++brickIndex) {
+      if (absent.index(brickIndex) == Signs<D>::kNegative) continue;
+      rows_.enter(signs, nullptr, brickIndex, dimension);
       for (int i = 0; i < rows_.openCount(); ++i) {
         auto& row = rows_.open(i);
-        row.open = static_cast<uint8_t>(row.open & absent.brickAt(place).rows[row.brick]);
+        row.open = static_cast<uint8_t>(row.open & absent.brickAt(brickIndex).rows[row.brick]);
       }
-      coder_.tell(ask, place, rows_);
-      if (rows_.changed()) rows_.store(signs, place);
+      coder_.code(exchange, brickIndex, rows_);
+      if (rows_.changed()) rows_.store(signs, brickIndex);
     }
   }
 
  private:
-  FreshRows<D> rows_;
+  NewVertexRows<D> rows_;
   SignCoder<D> coder_;
 };
 

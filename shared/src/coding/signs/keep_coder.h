@@ -13,18 +13,18 @@ class WholeCellCoder {
  public:
   /// Of the brick that has been entered, in the class of centres.
   template <class Exchange>
-  void tell(Exchange& ask, std::size_t place, FreshRows<D>& rows) {
+  void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
     for (int i = 0; i < rows.openCount(); ++i) {
       auto& row = rows.open(i);
-      const auto& n = neighbourhoods_[row.fresh];
-      const uint32_t truth = ask.keptRow(place, row.brick);
+      const auto& n = neighbourhoods_[row.newAxes];
+      const uint32_t actual = exchange.keptRow(brickIndex, row.brick);
       uint16_t& absent = *rows.absent(row);
       for (uint32_t open = row.open; open != 0; open &= open - 1) {
         const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
         const auto packs = RowPacks<D>::around(&absent);
         const unsigned siblings = packs.count(n.siblingMask, at), far = packs.count(n.outerMask, at);
-        Chance& chance = chances_[std::min(siblings, 7u) * 4 + (far == 0 ? 0 : far < 4 ? 1 : far < 12 ? 2 : 3)];
-        if (!chance.bit(ask.coder(), (truth >> x & 1) != 0)) continue;
+        BitModel& probability = models_[std::min(siblings, 7u) * 4 + (far == 0 ? 0 : far < 4 ? 1 : far < 12 ? 2 : 3)];
+        if (!probability.bit(exchange.coder(), (actual >> x & 1) != 0)) continue;
         absent = static_cast<uint16_t>(absent | 1u << at);
         row.absent = static_cast<uint8_t>(row.absent | 1u << x);
       }
@@ -34,7 +34,7 @@ class WholeCellCoder {
 
  private:
   const typename Neighbourhood<D>::All& neighbourhoods_ = Neighbourhood<D>::all();
-  std::array<Chance, 32> chances_;
+  std::array<BitModel, 32> models_;
 };
 
 }  // namespace isostar

@@ -9,75 +9,75 @@ namespace isostar {
 /// Localizes exceptions to the deduction of signs: by group of quiet bricks and brick, which the traversal goes through,
 /// then by row and vertex.
 template <int D>
-class ExceptionCoder {
+class NewComponentCoder {
  public:
-  using Row = typename FreshRows<D>::Row;
-  using Bits = typename FreshRows<D>::Bits;
+  using Row = typename NewVertexRows<D>::Row;
+  using Bits = typename NewVertexRows<D>::Bits;
 
   /// Has any brick of a group without a surface some?
   template <class Coder>
-  bool inGroup(Coder& coder, int dimension, bool truth) {
-    return groupFlag_[dimension].bit(coder, truth);
+  bool inGroup(Coder& coder, int dimension, bool actual) {
+    return groupFlag_[dimension].bit(coder, actual);
   }
   template <class Coder>
-  bool inQuietBrick(Coder& coder, int dimension, bool truth) {
-    return quietFlag_[dimension].bit(coder, truth);
+  bool inQuietBrick(Coder& coder, int dimension, bool actual) {
+    return quietFlag_[dimension].bit(coder, actual);
   }
 
   /// Those of a brick near the surface, that has been entered; `told`: how many of its signs have been.
   template <class Exchange>
-  void tell(Exchange& ask, std::size_t place, FreshRows<D>& rows, int dimension, int told) {
-    if (brickFlag_[dimension][activity(told)].bit(ask.coder(), any(ask, place, rows))) tellRows(ask, place, rows, told);
+  void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, int dimension, int coded) {
+    if (brickFlag_[dimension][activity(coded)].bit(exchange.coder(), any(exchange, brickIndex, rows))) codeRows(exchange, brickIndex, rows, coded);
   }
 
   /// Of a brick that has some.
   template <class Exchange>
-  void tellRows(Exchange& ask, std::size_t place, FreshRows<D>& rows, int told) {
+  void codeRows(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, int coded) {
     int lately = 0;  // 0 before the first row that has some, 1 right after one, 2 later
     for (int i = 0; i < rows.count(); ++i) {
       const Row& row = rows.row(i);
       if (row.deduced() == 0) continue;
-      const Bits flips = exceptions(ask, place, rows, row);
-      const bool any = rowFlag_[activity(told)][lately].bit(ask.coder(), flips != 0);
-      if (any) tellVertices(ask, rows, row, flips);
+      const Bits flips = exceptions(exchange, brickIndex, rows, row);
+      const bool any = rowFlag_[activity(coded)][lately].bit(exchange.coder(), flips != 0);
+      if (any) codeVertices(exchange, rows, row, flips);
       lately = any ? 1 : std::min(2 * lately, 2);
     }
   }
 
  private:
   /// How busy a brick is.
-  static int activity(int told) { return told == 0 ? 0 : told < 6 ? 1 : told < 16 ? 2 : told < 48 ? 3 : 4; }
+  static int activity(int coded) { return coded == 0 ? 0 : coded < 6 ? 1 : coded < 16 ? 2 : coded < 48 ? 3 : 4; }
 
   template <class Exchange>
-  static Bits exceptions(Exchange& ask, std::size_t place, const FreshRows<D>& rows, const Row& row) {
-    return (ask.row(place, row.brick) ^ *rows.signs(row) >> Window<D>::kHalo) & row.deduced();
+  static Bits exceptions(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows, const Row& row) {
+    return (exchange.row(brickIndex, row.brick) ^ *rows.signs(row) >> Window<D>::kHalo) & row.deduced();
   }
 
   template <class Exchange>
-  static bool any(Exchange& ask, std::size_t place, const FreshRows<D>& rows) {
+  static bool any(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows) {
     Bits any = 0;
-    for (int i = 0; i < rows.count(); ++i) any |= exceptions(ask, place, rows, rows.row(i));
+    for (int i = 0; i < rows.count(); ++i) any |= exceptions(exchange, brickIndex, rows, rows.row(i));
     return any != 0;
   }
 
   /// Those of a row that has some: if all but the last one are none, it is one.
   template <class Exchange>
-  void tellVertices(Exchange& ask, FreshRows<D>& rows, const Row& row, Bits flips) {
+  void codeVertices(Exchange& exchange, NewVertexRows<D>& rows, const Row& row, Bits flips) {
     bool any = false;
     for (Bits deduced = row.deduced(); deduced != 0; deduced &= deduced - 1) {
       const int x = std::countr_zero(deduced);
       const bool sure = !any && (deduced & (deduced - 1)) == 0;
-      if (!sure && !vertexFlag_[any ? 1 : 0].bit(ask.coder(), (flips >> x & 1) != 0)) continue;
+      if (!sure && !vertexFlag_[any ? 1 : 0].bit(exchange.coder(), (flips >> x & 1) != 0)) continue;
       *rows.signs(row) ^= static_cast<uint16_t>(1u << (x + Window<D>::kHalo));
       any = true;
     }
     rows.setChanged(any);
   }
 
-  std::array<Chance, D + 1> groupFlag_, quietFlag_;          // by class
-  std::array<std::array<Chance, 5>, D + 1> brickFlag_;       // by class and activity
-  std::array<std::array<Chance, 3>, 5> rowFlag_;
-  std::array<Chance, 2> vertexFlag_;  // by whether the row had one before
+  std::array<BitModel, D + 1> groupFlag_, quietFlag_;          // by class
+  std::array<std::array<BitModel, 5>, D + 1> brickFlag_;       // by class and activity
+  std::array<std::array<BitModel, 3>, 5> rowFlag_;
+  std::array<BitModel, 2> vertexFlag_;  // by whether the row had one before
 };
 
 }  // namespace isostar

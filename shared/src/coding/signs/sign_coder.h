@@ -12,10 +12,10 @@ namespace isostar {
 template <int D>
 class SignCoder {
  public:
-  using Row = typename FreshRows<D>::Row;
-  using Bits = typename FreshRows<D>::Bits;
+  using Row = typename NewVertexRows<D>::Row;
+  using Bits = typename NewVertexRows<D>::Bits;
 
-  ISOSTAR_SELDOM SignCoder() {
+  ISOSTAR_COLD SignCoder() {
     uint32_t near = 0, counted = 0;
     for (unsigned set = 1; set < kSets; ++set) {
       const auto& n = neighbourhoods_[set];
@@ -28,15 +28,15 @@ class SignCoder {
     near_.resize(near);
     counts_.resize(counted << kSiblings);
     wide_.resize(counted << kWideBits);
-    weights_.resize(counted, Mixer<kInputs>::freshWithEstimate());
+    weights_.resize(counted, Mixer<kInputs>::initialWeightsWithEstimate());
   }
 
   /// The open vertices of the brick that has been entered. How many were there?
   template <class Exchange>
-  int tell(Exchange& ask, std::size_t place, FreshRows<D>& rows) {
-    int told = 0;
-    for (int i = 0; i < rows.openCount(); ++i) told += tellRow(ask, place, rows, rows.open(i));
-    return told;
+  int code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
+    int coded = 0;
+    for (int i = 0; i < rows.openCount(); ++i) coded += codeRow(exchange, brickIndex, rows, rows.open(i));
+    return coded;
   }
 
  private:
@@ -46,27 +46,27 @@ class SignCoder {
   using Nearby = Neighbourhood<D>;
 
   template <class Exchange>
-  int tellRow(Exchange& ask, std::size_t place, FreshRows<D>& rows, const Row& row) {
-    int told = 0;
-    const Bits truth = ask.row(place, row.brick);
+  int codeRow(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, const Row& row) {
+    int coded = 0;
+    const Bits actual = exchange.row(brickIndex, row.brick);
     uint16_t& signs = *rows.signs(row);
     packs_ = RowPacks<D>::around(&signs);
     const uint16_t before = signs;
-    for (Bits open = row.open; open != 0; open &= open - 1, ++told) {
+    for (Bits open = row.open; open != 0; open &= open - 1, ++coded) {
       const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
       // Without a branch, which nobody could predict.
-      const unsigned turned = (static_cast<unsigned>(signs) >> at & 1) ^ (tellSign(ask, &signs, row.fresh, at, (truth >> x & 1) != 0) ? 1u : 0u);
-      signs = static_cast<uint16_t>(signs ^ turned << at);
-      packs_.flip(turned, at);
+      const unsigned flipped = (static_cast<unsigned>(signs) >> at & 1) ^ (codeSign(exchange, &signs, row.newAxes, at, (actual >> x & 1) != 0) ? 1u : 0u);
+      signs = static_cast<uint16_t>(signs ^ flipped << at);
+      packs_.flip(flipped, at);
     }
     rows.setChanged(signs != before);
-    return told;
+    return coded;
   }
 
   /// Of bit `at` of a row in a Window; packs_ are the rows around it.
   template <class Exchange>
-  bool tellSign(Exchange& ask, const uint16_t* here, unsigned fresh, int at, bool truth) {
-    const auto& n = neighbourhoods_[fresh];
+  bool codeSign(Exchange& exchange, const uint16_t* here, unsigned newAxes, int at, bool actual) {
+    const auto& n = neighbourhoods_[newAxes];
     auto gather = [&](const Step* steps, int count) {
       unsigned bits = 0;
       for (int i = 0; i < count; ++i) bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
@@ -76,14 +76,14 @@ class SignCoder {
     const unsigned first = gather(n.siblings.data(), kSiblings);
     const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at), outer = packs_.count(n.outerMask, at);
     const int weight = nearWeight + static_cast<int>(far) * Nearby::kFarOne + static_cast<int>(outer) * Nearby::kOuterOne;
-    const Table& table = tables_[fresh];
+    const Table& table = tables_[newAxes];
     const unsigned counted = table.counted + corners * static_cast<unsigned>(n.acrossCount + 1) + across;
-    const std::array<Chance*, kInputs> contexts{&near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
+    const std::array<BitModel*, kInputs> contexts{&near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
                                                 &counts_[counted << kSiblings | first],
                                                 &wide_[counted << kWideBits | siblings / 2 << 5 | far / 2]};
     // Positive weights less negative ones, in 1/256 of log-odds.
     const int estimate = (2 * weight - n.weight) * (256 / Nearby::kOne);
-    return Mixer<kInputs>::template bit<255, 12>(ask.coder(), truth, contexts, weights_[counted], estimate);
+    return Mixer<kInputs>::template bit<255, 12>(exchange.coder(), actual, contexts, weights_[counted], estimate);
   }
 
   const typename Nearby::All& neighbourhoods_ = Nearby::all();
@@ -94,7 +94,7 @@ class SignCoder {
     int siblings = 0;  // in the contexts that are near
   };
   std::array<Table, kSets> tables_{};
-  std::vector<Chance> near_, counts_, wide_;
+  std::vector<BitModel> near_, counts_, wide_;
   std::vector<typename Mixer<kInputs>::Weights> weights_;
 };
 

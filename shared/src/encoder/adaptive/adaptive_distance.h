@@ -16,7 +16,7 @@ class AdaptiveDistance {
  public:
   using Point = typename AdaptivePlan<D>::Point;
 
-  AdaptiveDistance(const AdaptivePlan<D>& plan, const GridField<D>& field, const AdaptiveOctave<D>& decoded)
+  AdaptiveDistance(const AdaptivePlan<D>& plan, const GridField<D>& field, const AdaptiveLevel<D>& decoded)
       : plan_(plan), field_(field), decoded_(decoded), table_(decoded.signs.table()) {}
 
   /// Calls visit(point in samples, distance) for the vertices of the source's surface, each `stride`th.
@@ -56,7 +56,7 @@ class AdaptiveDistance {
  private:
   /// 0 where nothing is known.
   [[nodiscard]] double value(const Coordinates<D>& v) const {
-    const auto& scalars = decoded_.scalars.at(table_.placeOf(v));
+    const auto& scalars = decoded_.scalars.at(table_.brickIndexOf(v));
     const std::size_t number = numberOf<D>(v);
     return scalars.knows(number) ? scalars.value[number] : 0;
   }
@@ -98,7 +98,7 @@ class AdaptiveDistance {
 
   const AdaptivePlan<D>& plan_;
   const GridField<D>& field_;
-  const AdaptiveOctave<D>& decoded_;
+  const AdaptiveLevel<D>& decoded_;
   const BrickTable<D>& table_;
 };
 

@@ -9,12 +9,12 @@
 namespace isostar {
 
 template <int D>
-AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header, const Signs<D>& finest) : field_(field), octaves_(header.octaves()) {
+AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header, const Signs<D>& finest) : field_(field), finestLevel_(header.finestLevel()) {
   for (int a = 0; a < D; ++a) unit_[a] = edgeLength(header.placement, 1u << a);
   findCrossings(finest);
-  nearest_.resize(static_cast<std::size_t>(octaves_) + 1);
+  nearest_.resize(static_cast<std::size_t>(finestLevel_) + 1);
   forbidden_.resize(nearest_.size());
-  for (int level = 0; level <= octaves_; ++level) {
+  for (int level = 0; level <= finestLevel_; ++level) {
     if (lattice(level).step > kMostStep) continue;
     findNearest(level);
     forbidden_[static_cast<std::size_t>(level)].assign(lattice(level).vertices(), 0);
@@ -101,12 +101,12 @@ template <int D>
 double AdaptivePlan<D>::scalar(int level, const Coordinates<D>& v) const {
   constexpr double kLeast = 1e-3;  // grid steps: a scalar must have a sign
   const auto grid = lattice(level);
-  const double truth = field_.scalar(grid.samples(v));
-  if (level == octaves_ || grid.step > kMostStep) return truth;
+  const double actual = field_.scalar(grid.samples(v));
+  if (level == finestLevel_ || grid.step > kMostStep) return actual;
   const uint32_t n = nearest_[static_cast<std::size_t>(level)][index(grid, v)];
-  if (n == kNone) return truth;
+  if (n == kNone) return actual;
   const double size = std::max(kLeast, distance(level, v)) * crossings_[n].gradient;
-  return truth > 0 ? size : -size;
+  return actual > 0 ? size : -size;
 }
 
 /// Can the cell be halved on all axes?
@@ -114,7 +114,7 @@ template <int D>
 bool AdaptivePlan<D>::splittable(int level, const Coordinates<D>& cell) const {
   const auto finer = lattice(level + 1);
   for (int a = 0; a < D; ++a) {
-    if (!finer.fresh(a, 2 * cell[a] + 1)) return false;
+    if (!finer.isNew(a, 2 * cell[a] + 1)) return false;
   }
   return true;
 }
@@ -166,7 +166,7 @@ bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double all
   for (auto v = low;;) {
     Point p;
     for (int a = 0; a < D; ++a) p[a] = v[a];
-    if ((linear(level, cell, p).first > 0) != (field_.scalar(v) > 0) && !(distance(octaves_, v) <= allowed)) return false;
+    if ((linear(level, cell, p).first > 0) != (field_.scalar(v) > 0) && !(distance(finestLevel_, v) <= allowed)) return false;
     int a = 0;
     for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
     if (a == D) return true;
@@ -176,7 +176,7 @@ bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double all
 template <int D>
 void AdaptivePlan<D>::keep(double allowed) {
   cells_.assign(nearest_.size(), {});
-  for (int level = 0; level < octaves_; ++level) {
+  for (int level = 0; level < finestLevel_; ++level) {
     const auto grid = lattice(level);
     if (grid.step > kMostStep) continue;
     auto& cells = cells_[static_cast<std::size_t>(level)];
@@ -221,7 +221,7 @@ Signs<D> AdaptivePlan<D>::centres(int level) const {
 
 template <int D>
 bool AdaptivePlan<D>::forbid(const Point& p, double reach) {
-  for (int level = 0; level < octaves_; ++level) {
+  for (int level = 0; level < finestLevel_; ++level) {
     const auto& cells = cells_[static_cast<std::size_t>(level)];
     if (cells.empty()) continue;
     const auto grid = lattice(level);

@@ -29,8 +29,8 @@ class AdaptivePlan {
 
   [[nodiscard]] const std::vector<Crossing>& crossings() const { return crossings_; }
   [[nodiscard]] const Point& unit() const { return unit_; }
-  [[nodiscard]] int octaves() const { return octaves_; }
-  [[nodiscard]] Lattice<D> lattice(int level) const { return Lattice<D>(field_.last(), int32_t{1} << (octaves_ - level)); }
+  [[nodiscard]] int finestLevel() const { return finestLevel_; }
+  [[nodiscard]] Lattice<D> lattice(int level) const { return Lattice<D>(field_.last(), int32_t{1} << (finestLevel_ - level)); }
 
   /// The scalar of a vertex of an octave, in the field's units; positive exactly where the field is.
   [[nodiscard]] double scalar(int level, const Coordinates<D>& v) const;
@@ -62,7 +62,7 @@ class AdaptivePlan {
   [[nodiscard]] std::pair<double, double> linear(int level, const Coordinates<D>& cell, const Point& p) const;
 
   const GridField<D>& field_;
-  int octaves_;
+  int finestLevel_;
   Point unit_;  // of an edge along an axis, in steps along the smallest spacing
   std::vector<Crossing> crossings_;
   std::vector<std::vector<uint32_t>> nearest_;  // by octave and vertex: a crossing

@@ -14,34 +14,34 @@ template <int D>
 class AdaptiveWriter {
  public:
   AdaptiveWriter(const AdaptivePlan<D>& plan, const GridField<D>& field, const Header& header, const SourceDistance<D>& distance,
-                 const std::vector<Signs<D>>& truth, bool states)
-      : plan_(plan), field_(field), header_(header), distance_(distance), truth_(truth), states_(states), planned_(plan, header), decoded_(header.base<D>()) {}
+                 const std::vector<Signs<D>>& actual, bool states)
+      : plan_(plan), field_(field), header_(header), distance_(distance), actual_(actual), states_(states), planned_(plan, header), decoded_(header.base<D>()) {}
 
   void signs() {
-    for (int level = 0; level <= plan_.octaves(); ++level) {
-      const Signs<D>& truth = truth_[static_cast<std::size_t>(level)];
+    for (int level = 0; level <= plan_.finestLevel(); ++level) {
+      const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
       const Signs<D> centres = level == 0 ? Signs<D>() : plan_.centres(level);
-      tell({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, truth, [&](auto& ask) {
-        ask.keep(centres);
-        if (level == 0) decoded_.mesh.base(ask);
-        else decoded_.mesh.refine(ask);
+      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual, [&](auto& exchange) {
+        exchange.keep(centres);
+        if (level == 0) decoded_.mesh.base(exchange);
+        else decoded_.mesh.refine(exchange);
       });
     }
   }
 
   /// Scalars of all octaves, such that quantization moves the surface by no more than a distance.
   void geometry(double distance) {
-    for (int level = 0; level <= plan_.octaves(); ++level) {
-      GeometryPass<D> pass{LayerKind::Octaves, Members::AxisEnds, 3, {}, 0, false};
-      const Signs<D>& truth = truth_[static_cast<std::size_t>(level)];
-      planned_.enter(level, truth);
-      tell({LayerKind::Octaves, level, 0, 0, 0}, truth, [&](auto& ask) { decoded_.tellOctaves(ask, pass.depth, header_.polygonizer); }, &pass);
-      pass = {LayerKind::Halving, Members::AxisEnds, 0, {}, 30, false};
+    for (int level = 0; level <= plan_.finestLevel(); ++level) {
+      GeometryPass<D> pass{LayerKind::Exponents, Members::AxisEnds, 3, {}, 0, false};
+      const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
+      planned_.enter(level, actual);
+      code({LayerKind::Exponents, level, 0, 0, 0}, actual, [&](auto& exchange) { decoded_.codeExponents(exchange, pass.depth, header_.polygonizer); }, &pass);
+      pass = {LayerKind::Magnitudes, Members::AxisEnds, 0, {}, 30, false};
       for (unsigned axes = 1; axes < pass.allowed.size(); ++axes) {
-        const double part = distance / (edgeLength(header_.placement, axes) * decoded_.octave(level).signs.lattice().step);
+        const double part = distance / (edgeLength(header_.placement, axes) * decoded_.at(level).signs.lattice().step);
         pass.allowed[axes] = static_cast<uint32_t>(std::clamp(65536 * part, 1.0, 65536.0));
       }
-      tell({LayerKind::Halving, level, 0, 0, 0}, truth, [&](auto& ask) { decoded_.tellHalvings(ask, pass.halving(header_.fitted)); }, &pass);
+      code({LayerKind::Magnitudes, level, 0, 0, 0}, actual, [&](auto& exchange) { decoded_.codeMagnitudes(exchange, pass.magnitudePass(header_.fitted)); }, &pass);
     }
   }
 
@@ -49,14 +49,14 @@ class AdaptiveWriter {
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
-  template <class Tell>
-  void tell(LayerHead head, const Signs<D>& truth, Tell what, const GeometryPass<D>* pass = nullptr) {
-    layers_.add(head, pass, truth, planned_, what, [&] { return states_ ? error() : 0; });
+  template <class Code>
+  void code(LayerHead head, const Signs<D>& actual, Code what, const GeometryPass<D>* pass = nullptr) {
+    layers_.add(head, pass, actual, planned_, what, [&] { return states_ ? error() : 0; });
   }
 
   /// RMS distance of what a decoder shows now.
   [[nodiscard]] double error() const {
-    if (decoded_.mesh.level() < plan_.octaves()) return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.kernel});
+    if (decoded_.mesh.level() < plan_.finestLevel()) return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.filter});
     constexpr std::size_t kSamples = 4096;
     const auto shown = *decoded_.shown(decoded_.mesh.level());
     double sum = 0;
@@ -72,7 +72,7 @@ class AdaptiveWriter {
   const GridField<D>& field_;
   const Header& header_;
   const SourceDistance<D>& distance_;
-  const std::vector<Signs<D>>& truth_;  // by octave
+  const std::vector<Signs<D>>& actual_;  // by octave
   const bool states_;                   // errors in heads; a try has no need of them
   PlannedField<D> planned_;
   AdaptiveField<D> decoded_;

@@ -15,7 +15,7 @@ void quantize(const AdaptivePlan<D>& plan, Header& header) {
   for (const auto& c : plan.crossings()) steepest = std::max(steepest, c.gradient);
   constexpr double kFarthest = 128;  // grid steps
   header.whole = false;
-  header.quantum = std::ldexp(1.0, std::ilogb(steepest * kFarthest) + 1 - 28);
+  header.quantizationStep = std::ldexp(1.0, std::ilogb(steepest * kFarthest) + 1 - 28);
   header.positiveOffset = header.negativeOffset = 0.5;
 }
 
@@ -30,16 +30,16 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
   AdaptivePlan<D> plan(field, header, finest);
   quantize(plan, header);
   const SourceDistance<D> distance(field, header, finest, activeBricks(finest));
-  std::vector<Signs<D>> truth(static_cast<std::size_t>(plan.octaves()) + 1);
-  truth.back() = finest;
-  for (std::size_t level = truth.size() - 1; level-- > 0;) truth[level] = coarsened(truth[level + 1]);
+  std::vector<Signs<D>> actual(static_cast<std::size_t>(plan.finestLevel()) + 1);
+  actual.back() = finest;
+  for (std::size_t level = actual.size() - 1; level-- > 0;) actual[level] = coarsened(actual[level + 1]);
   double quantized = kQuantized * header.maxError;
   for (int i = 0;; ++i) {
     plan.keep(kFlat * header.maxError);
-    AdaptiveWriter<D> writer(plan, field, header, distance, truth, false);
+    AdaptiveWriter<D> writer(plan, field, header, distance, actual, false);
     writer.signs();
     writer.geometry(quantized);
-    const auto& decoded = writer.decoded().octave(plan.octaves());
+    const auto& decoded = writer.decoded().at(plan.finestLevel());
     if (options.progress) options.progress((i + 1.0) / (kTries + 1));
     uint64_t beyond = 0;
     const auto judge = [&](const auto& p, double d) {
@@ -53,11 +53,11 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
     // Where nothing is left to split, or splitting helps no more, scalars must be finer.
     if (beyond >= kHopeless || i >= kTries / 2) quantized *= 0.85;
   }
-  AdaptiveWriter<D> writer(plan, field, header, distance, truth, true);
+  AdaptiveWriter<D> writer(plan, field, header, distance, actual, true);
   writer.signs();
   writer.geometry(quantized);
   layers = writer.bytes();
-  const auto& decoded = writer.decoded().octave(plan.octaves());
+  const auto& decoded = writer.decoded().at(plan.finestLevel());
   header.vertices = countCrossings(decoded.signs, decoded.active);
   return true;
 }

@@ -17,21 +17,21 @@ class PlannedField {
     level_ = level;
     signs_ = &signs;
   }
-  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const {
-    return quanta(vertexOf<D>(signs_->table().brick(place), r * kBrickSide + static_cast<std::size_t>(x)));
+  [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
+    return steps(vertexOf<D>(signs_->table().brick(brickIndex), r * kBrickSide + static_cast<std::size_t>(x)));
   }
   /// The mean difference along crossing axis edges, 4 log2 of quanta.
-  [[nodiscard]] int gradient(std::size_t place) const {
+  [[nodiscard]] int gradient(std::size_t brickIndex) const {
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
-      const auto v = vertexOf<D>(signs_->table().brick(place), i);
+      const auto v = vertexOf<D>(signs_->table().brick(brickIndex), i);
       bool inside = true;
       for (int a = 0; a < D; ++a) inside = inside && v[a] <= signs_->lattice().last[a];
       for (int a = 0; inside && a < D; ++a) {
         auto next = v;
         if (++next[a] > signs_->lattice().last[a] || signs_->at(next) == signs_->at(v)) continue;
-        sum += static_cast<double>(quanta(v)) + quanta(next) + 1;
+        sum += static_cast<double>(steps(v)) + steps(next) + 1;
         ++count;
       }
     }
@@ -40,8 +40,8 @@ class PlannedField {
   [[nodiscard]] bool selected(std::size_t) const { return true; }
 
  private:
-  [[nodiscard]] uint32_t quanta(const Coordinates<D>& v) const {
-    return static_cast<uint32_t>(std::min(std::abs(plan_.scalar(level_, v)) / header_.quantum, double((1 << 29) - 1)));
+  [[nodiscard]] uint32_t steps(const Coordinates<D>& v) const {
+    return static_cast<uint32_t>(std::min(std::abs(plan_.scalar(level_, v)) / header_.quantizationStep, double((1 << 29) - 1)));
   }
 
   const AdaptivePlan<D>& plan_;

@@ -18,9 +18,9 @@ struct Mean {
     ++count;
   }
   [[nodiscard]] int8_t steps(double step) const {
-    constexpr double kWorthTelling = 0.6, kMost = 4;
+    constexpr double kWorthCoding = 0.6, kMost = 4;
     const double steps = count == 0 ? 0 : sum / count / step;
-    return static_cast<int8_t>(std::abs(steps) < kWorthTelling ? 0 : std::clamp(std::round(steps), -kMost, kMost));
+    return static_cast<int8_t>(std::abs(steps) < kWorthCoding ? 0 : std::clamp(std::round(steps), -kMost, kMost));
   }
 };
 
@@ -30,15 +30,15 @@ class Means {
  public:
   using Brick = std::array<Mean, Displacements<D>::kBlocks>;
 
-  explicit Means(std::size_t places) : at_(places, 0) {}
-  Mean& at(std::size_t place, std::size_t block) {
-    if (at_[place] == 0) {
+  explicit Means(std::size_t brickIndices) : at_(brickIndices, 0) {}
+  Mean& at(std::size_t brickIndex, std::size_t block) {
+    if (at_[brickIndex] == 0) {
       bricks_.emplace_back();
-      at_[place] = static_cast<uint32_t>(bricks_.size());
+      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
     }
-    return bricks_[at_[place] - 1][block];
+    return bricks_[at_[brickIndex] - 1][block];
   }
-  [[nodiscard]] const Brick* find(std::size_t place) const { return at_[place] == 0 ? nullptr : &bricks_[at_[place] - 1]; }
+  [[nodiscard]] const Brick* find(std::size_t brickIndex) const { return at_[brickIndex] == 0 ? nullptr : &bricks_[at_[brickIndex] - 1]; }
 
  private:
   std::vector<uint32_t> at_;
@@ -58,32 +58,32 @@ std::size_t cubeOf(std::size_t block, int log2Side) {
 }  // namespace
 
 template <int D>
-DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, Kernel kernel)
+DisplacementPlan<D>::DisplacementPlan(const GridField<D>& field, const Signs<D>& signs, const std::vector<uint8_t>& active, SmoothingFilter filter)
     : signs_(signs), active_(active), first_(active.size() + 1), blocks_(active.size()) {
   Scalars<D> estimates(active.size());
   Tube<D> tube;
-  ShapeEstimate<D> shapes(kernel);
-  for (std::size_t place = 0; place < active.size(); ++place) {
-    if (active[place] == 0) continue;
-    tube.enter(signs, place, Members::AxisEnds);
+  ShapeEstimate<D> shapes(filter);
+  for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+    if (active[brickIndex] == 0) continue;
+    tube.enter(signs, brickIndex, Members::AxisEnds);
     if (tube.empty()) continue;
     shapes.load(tube.window());
-    auto& brick = estimates.writable(place);
+    auto& brick = estimates.writable(brickIndex);
     tube.forEach([&](int, std::size_t r, int x) { brick.value[r * kBrickSide + static_cast<std::size_t>(x)] = shapes.sum(r, x); });
-    auto& blocks = blocks_.writable(place);
+    auto& blocks = blocks_.writable(brickIndex);
     tube.forEach(true, [&](int, std::size_t r, int x) { blocks[Displacements<D>::block(r, x)] = 1; });
   }
   const auto& table = signs.table();
   ScalarWindow<D> window;
   std::size_t entered = 0;
-  const auto finish = [&](std::size_t place) {
-    while (entered < place) first_[++entered] = edges_.size();
+  const auto finish = [&](std::size_t brickIndex) {
+    while (entered < brickIndex) first_[++entered] = edges_.size();
   };
   forCrossedRows(
       signs, active, false,
-      [&](std::size_t place) {
-        finish(place);
-        window.load(estimates, table, table.brick(place));
+      [&](std::size_t brickIndex) {
+        finish(brickIndex);
+        window.load(estimates, table, table.brick(brickIndex));
       },
       [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
         for (; crossed != 0; crossed &= crossed - 1) {
@@ -107,7 +107,7 @@ typename DisplacementPlan<D>::Edge DisplacementPlan<D>::edgeOf(const GridField<D
   }
   const auto& end = positive ? ends.even : ends.odd;
   const std::size_t number = numberOf<D>(end);
-  edge.positivePlace = static_cast<uint32_t>(signs.table().placeOf(end));
+  edge.positivePosition = static_cast<uint32_t>(signs.table().brickIndexOf(end));
   edge.positiveBlock = static_cast<uint8_t>(Displacements<D>::block(number / kBrickSide, static_cast<int>(number % kBrickSide)));
   return edge;
 }
@@ -122,18 +122,18 @@ int32_t DisplacementPlan<D>::displacementAt(const DisplacementWindow<D>& displac
 
 template <int D>
 template <class Visit>
-void DisplacementPlan<D>::forEachError(const Displacements<D>& told, Visit visit) const {
+void DisplacementPlan<D>::forEachError(const Displacements<D>& coded, Visit visit) const {
   constexpr double kSlope = Displacements<D>::kPlaneSlope, kLeast = kSlope / 8;  // as completion.h has it
   const auto& table = signs_.table();
-  const bool displaces = told.places() != 0;
+  const bool displaces = coded.tableSize() != 0;
   DisplacementWindow<D> displaced;
-  for (std::size_t place = 0; place < active_.size(); ++place) {
-    if (first_[place] == first_[place + 1]) continue;
+  for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+    if (first_[brickIndex] == first_[brickIndex + 1]) continue;
     if (displaces) {
-      displaced.load(told, table, table.brick(place));
+      displaced.load(coded, table, table.brick(brickIndex));
       displaced.spread();
     }
-    for (std::size_t i = first_[place]; i < first_[place + 1]; ++i) {
+    for (std::size_t i = first_[brickIndex]; i < first_[brickIndex + 1]; ++i) {
       const Edge& edge = edges_[i];
       const bool positive = edge.crossing >= 0;
       const double side = positive ? 1 : -1, at = positive ? edge.crossing : -1 - edge.crossing;
@@ -147,24 +147,24 @@ void DisplacementPlan<D>::forEachError(const Displacements<D>& told, Visit visit
 }
 
 template <int D>
-Displacements<D> DisplacementPlan<D>::reached(const Displacements<D>& told, const Displacements<D>& steps, const DisplacementPass& pass) const {
-  Displacements<D> result = told.places() == 0 ? Displacements<D>(active_.size()) : told;
-  for (std::size_t place = 0; place < active_.size(); ++place) {
-    if (active_[place] == 0) continue;
-    const auto& blocks = blocks_.at(place);
-    auto& brick = result.writable(place);
+Displacements<D> DisplacementPlan<D>::reached(const Displacements<D>& coded, const Displacements<D>& steps, const DisplacementPass& pass) const {
+  Displacements<D> result = coded.tableSize() == 0 ? Displacements<D>(active_.size()) : coded;
+  for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+    if (active_[brickIndex] == 0) continue;
+    const auto& blocks = blocks_.at(brickIndex);
+    auto& brick = result.writable(brickIndex);
     for (std::size_t block = 0; block < blocks.size(); ++block) {
-      if (blocks[block] == 1) Displacements<D>::move(brick[block], steps.at(place)[cubeOf<D>(block, pass.log2Side)] * pass.step);
+      if (blocks[block] == 1) Displacements<D>::move(brick[block], steps.at(brickIndex)[cubeOf<D>(block, pass.log2Side)] * pass.step);
     }
   }
   return result;
 }
 
 template <int D>
-double DisplacementPlan<D>::error(const Displacements<D>& told) const {
+double DisplacementPlan<D>::error(const Displacements<D>& coded) const {
   double squares = 0;
   std::size_t edges = 0;
-  forEachError(told, [&](const Edge&, double error) {
+  forEachError(coded, [&](const Edge&, double error) {
     squares += error * error;
     ++edges;
   });
@@ -172,21 +172,21 @@ double DisplacementPlan<D>::error(const Displacements<D>& told) const {
 }
 
 template <int D>
-typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements<D>& told, const DisplacementPass& pass) const {
+typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements<D>& coded, const DisplacementPass& pass) const {
   const double step = static_cast<double>(pass.step) / Displacements<D>::kPerStep;
   double squares = 0;
   std::size_t edges = 0;
   Means<D> means(active_.size());
-  forEachError(told, [&](const Edge& edge, double error) {
+  forEachError(coded, [&](const Edge& edge, double error) {
     squares += error * error;
     ++edges;
-    means.at(edge.positivePlace, cubeOf<D>(edge.positiveBlock, pass.log2Side)).add(error);
+    means.at(edge.positivePosition, cubeOf<D>(edge.positiveBlock, pass.log2Side)).add(error);
   });
   Next next{Displacements<D>(active_.size()), edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};
-  for (std::size_t place = 0; place < active_.size(); ++place) {
-    const auto* of = means.find(place);
+  for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
+    const auto* of = means.find(brickIndex);
     if (of == nullptr) continue;
-    std::transform(of->begin(), of->end(), next.steps.writable(place).begin(), [&](const Mean& mean) { return mean.steps(step); });
+    std::transform(of->begin(), of->end(), next.steps.writable(brickIndex).begin(), [&](const Mean& mean) { return mean.steps(step); });
   }
   return next;
 }

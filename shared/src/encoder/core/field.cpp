@@ -71,10 +71,10 @@ Signs<D> GridField<D>::signs() const {
   const float threshold = floorOf(isovalue_);
   const auto across = static_cast<std::size_t>(table_.count(0));
   std::vector<Brick<D>> bricks(across);  // side by side on axis 0, so that samples are read in their order
-  for (std::size_t place = 0; place < table_.total(); place += across) {
+  for (std::size_t brickIndex = 0; brickIndex < table_.total(); brickIndex += across) {
     for (std::size_t r = 0; r < bricks[0].rows.size(); ++r) {
       // Beyond the lattice the last plane goes on, so that a uniform brick at the box's end is one.
-      Coordinates<D> v = vertex(table_.brick(place), r);
+      Coordinates<D> v = vertex(table_.brick(brickIndex), r);
       for (int a = 1; a < D; ++a) v[a] = std::min(v[a], last_[a]);
       const float* row = &samples_[at(v)];
       for (std::size_t b = 0; b + 1 < across; ++b) bricks[b].rows[r] = static_cast<uint8_t>(above(row + b * kBrickSide, threshold));
@@ -84,7 +84,7 @@ Signs<D> GridField<D>::signs() const {
       std::copy_n(row + first, count, end.begin());
       bricks[across - 1].rows[r] = static_cast<uint8_t>(above(end.data(), threshold));
     }
-    for (std::size_t b = 0; b < across; ++b) signs.put(place + b, bricks[b]);
+    for (std::size_t b = 0; b < across; ++b) signs.put(brickIndex + b, bricks[b]);
   }
   return signs;
 }
@@ -94,11 +94,11 @@ Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs
   double largest = 0;
   WholeSamples ones(1, isovalue_), bytes(255, isovalue_);
   Tube<D> tube;
-  for (std::size_t place = 0; place < active.size(); ++place) {
-    if (active[place] == 0) continue;
+  for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+    if (active[brickIndex] == 0) continue;
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       if (members == Members::DiagonalEnds && polygonizer == Polygonizer::Cubes) break;
-      tube.enter(signs, place, members);
+      tube.enter(signs, brickIndex, members);
       tube.forEach([&](int, std::size_t r, int x) {
         const double sample = samples_[at(vertex(tube.at(), r)) + static_cast<std::size_t>(x)];
         largest = std::max(largest, std::abs(sample - isovalue_));
@@ -113,12 +113,12 @@ Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs
 void Precision::fix(Header& header) const {
   if (ones && largest < double(1 << 28)) return header.countWhole(1);
   if (bytes && largest <= 1) return header.countWhole(Header::kByteStep);
-  header.quantum = std::ldexp(1.0, largest > 0 ? std::ilogb(largest) - 27 : 0);
+  header.quantizationStep = std::ldexp(1.0, largest > 0 ? std::ilogb(largest) - 27 : 0);
 }
 
 template <int D>
-int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::size_t place) const {
-  const auto brick = table_.brick(place);
+int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::size_t brickIndex) const {
+  const auto brick = table_.brick(brickIndex);
   Window<D> window;
   window.load(signs, brick);
   // Vertices from the plane before the brick to its last, as far as the lattice goes.
@@ -151,7 +151,7 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::siz
   }
   if (count == 0) return 0;
   std::nth_element(differences.begin(), differences.begin() + count / 2, differences.begin() + count);
-  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantum))), 0L, 120L));
+  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantizationStep))), 0L, 120L));
 }
 
 template bool sensible<2>(std::span<const float>, const Coordinates<2>&, double);

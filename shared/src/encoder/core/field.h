@@ -78,15 +78,15 @@ class GridField {
   }
 
   /// The sample at vertex x in row r of a brick of the finest octave, less the isovalue.
-  [[nodiscard]] double scalar(std::size_t place, std::size_t r, int x) const {
-    enter(place);
+  [[nodiscard]] double scalar(std::size_t brickIndex, std::size_t r, int x) const {
+    enter(brickIndex);
     std::size_t sample = lastStart_ + static_cast<std::size_t>(x);
     for (int a = 1; a < D; ++a, r /= kBrickSide) sample += (r % kBrickSide) * stride_[a];
     return double{samples_[sample]} - isovalue_;
   }
   /// The neighbours of vertex x in row r of a brick on each axis, before and ahead, less the isovalue; beyond the box the vertex itself.
-  [[nodiscard]] std::array<double, 2 * D> around(std::size_t place, std::size_t r, int x) const {
-    enter(place);
+  [[nodiscard]] std::array<double, 2 * D> around(std::size_t brickIndex, std::size_t r, int x) const {
+    enter(brickIndex);
     auto v = lastFirst_;
     v[0] += x;
     for (std::size_t a = 1; a < D; ++a, r /= kBrickSide) v[a] += static_cast<int32_t>(r % kBrickSide);
@@ -99,14 +99,14 @@ class GridField {
     return scalars;
   }
   /// In quanta of a header.
-  [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t place, std::size_t r, int x) const {
-    double d = scalar(place, r, x);
-    if (header.quantum != 1) d /= header.quantum;
+  [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t brickIndex, std::size_t r, int x) const {
+    double d = scalar(brickIndex, r, x);
+    if (header.quantizationStep != 1) d /= header.quantizationStep;
     if (header.whole) return static_cast<uint32_t>((d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
     return static_cast<uint32_t>(std::min(std::abs(d), double((1 << 29) - 1)));
   }
   /// The median difference along the crossing axis edges in and next to a brick, 4 log2 of quanta. `signs`: the finest octave's.
-  [[nodiscard]] int gradient(const Header& header, const Signs<D>& signs, std::size_t place) const;
+  [[nodiscard]] int gradient(const Header& header, const Signs<D>& signs, std::size_t brickIndex) const;
 
  private:
   [[nodiscard]] std::size_t at(const Coordinates<D>& v) const {
@@ -114,10 +114,10 @@ class GridField {
     for (int a = 1; a < D; ++a) sum += static_cast<std::size_t>(v[a]) * stride_[a];
     return sum;
   }
-  void enter(std::size_t place) const {
-    if (place == lastPlace_) return;
-    lastPlace_ = place;
-    lastFirst_ = vertex(table_.brick(place), 0);
+  void enter(std::size_t brickIndex) const {
+    if (brickIndex == lastBrick_) return;
+    lastBrick_ = brickIndex;
+    lastFirst_ = vertex(table_.brick(brickIndex), 0);
     lastStart_ = at(lastFirst_);
   }
   /// Vertex x = 0 of a row of a brick.
@@ -134,15 +134,15 @@ class GridField {
   std::array<std::size_t, D> stride_{};
   BrickTable<D> table_;
   // The brick that was asked of last, its first vertex and sample: bricks are asked one after the other.
-  mutable std::size_t lastPlace_ = SIZE_MAX, lastStart_ = 0;
+  mutable std::size_t lastBrick_ = SIZE_MAX, lastStart_ = 0;
   mutable Coordinates<D> lastFirst_{};
 };
 
 /// A sample's distance to the domain's boundary in quanta of a stream, rounded down, as far as it matters.
 template <int D>
-[[nodiscard]] int32_t domainQuanta(const GridField<D>& domain, const Header& header, std::size_t place, std::size_t r, int x) {
+[[nodiscard]] int32_t domainSteps(const GridField<D>& domain, const Header& header, std::size_t brickIndex, std::size_t r, int x) {
   const int32_t reach = header.domainReach();
-  return static_cast<int32_t>(std::clamp(std::floor(domain.scalar(place, r, x) * header.domainFineness()), double(-reach), double(reach - 1)));
+  return static_cast<int32_t>(std::clamp(std::floor(domain.scalar(brickIndex, r, x) * header.domainFineness()), double(-reach), double(reach - 1)));
 }
 
 /// A field's scalars as the quanta of one stream, and the bricks selected for a pass, by place.
@@ -152,39 +152,39 @@ class QuantizedField {
   /// `domain`: of a trimmed stream.
   QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs, const GridField<D>* domain = nullptr)
       : field_(field), header_(header), signs_(signs), domain_(domain) {}
-  void select(std::vector<uint8_t> places) { selected_ = std::move(places); }
+  void select(std::vector<uint8_t> brickIndices) { selected_ = std::move(brickIndices); }
   /// From now on, does errors() tell of crossings? What is told then need not be true.
-  void aim(bool does) { aims_ = does; }
+  void target(bool does) { rdoq_ = does; }
   /// What a pass of displacements is to tell, in its steps.
   void displace(Displacements<D> steps) { displacements_ = std::move(steps); }
-  [[nodiscard]] uint32_t magnitude(std::size_t place, std::size_t r, int x) const { return field_.magnitude(header_, place, r, x); }
+  [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const { return field_.magnitude(header_, brickIndex, r, x); }
   /// As TruthExchange asks for them: by what has been told of the far ends before, and what is likely to be told of the others.
-  template <class ToldAt, class Allowed>
-  [[nodiscard]] CrossingErrors<D> errors(std::size_t place, std::size_t r, int x, ToldAt toldAt, const Allowed& allowed) const {
-    if (!aims_) return {};
-    const double toHalfQuanta = 2 / header_.quantum, own = field_.scalar(place, r, x) * toHalfQuanta, size = std::abs(own);
+  template <class CodedAt, class Allowed>
+  [[nodiscard]] CrossingDistortion<D> errors(std::size_t brickIndex, std::size_t r, int x, CodedAt codedAt, const Allowed& allowed) const {
+    if (!rdoq_) return {};
+    const double toHalfSteps = 2 / header_.quantizationStep, own = field_.scalar(brickIndex, r, x) * toHalfSteps, size = std::abs(own);
     const double positive = 2 * header_.positiveOffset - 1, negative = 2 * header_.negativeOffset - 1, offset = own > 0 ? negative : positive;
-    const auto around = field_.around(place, r, x);
+    const auto around = field_.around(brickIndex, r, x);
     std::array<double, D> slopes;  // of the normal, squared; steps as long as they are
     double all = std::numeric_limits<double>::min();
     for (std::size_t a = 0; a < D; ++a) {
       const double slope = (around[2 * a + 1] - around[2 * a]) * allowed[std::size_t{1} << a];
       all += slopes[a] = slope * slope;
     }
-    CrossingErrors<D> errors(own > 0 ? positive : negative);
+    CrossingDistortion<D> errors(own > 0 ? positive : negative);
     for (std::size_t i = 0; i < 2 * D; ++i) {
-      const double truth = std::abs(around[i]) * toHalfQuanta, part = allowed[std::size_t{1} << i / 2] / 65536.0;
-      const int32_t told = toldAt(static_cast<int>(i / 2), i % 2 != 0);
-      if (told == Scalars<D>::kUnknown || (around[i] > 0) == (own > 0) || !(size + truth > 0)) continue;
-      const FarEnd far = i % 2 == 0 ? FarEnd{std::abs(told) + offset, 1} : surmised(std::abs(told), truth, offset, size, part);
-      errors.add({size / (size + truth), truth, far.size, 1 / part, slopes[i / 2] / all, far.leaves});
+      const double actual = std::abs(around[i]) * toHalfSteps, part = allowed[std::size_t{1} << i / 2] / 65536.0;
+      const int32_t coded = codedAt(static_cast<int>(i / 2), i % 2 != 0);
+      if (coded == Scalars<D>::kUnknown || (around[i] > 0) == (own > 0) || !(size + actual > 0)) continue;
+      const FarEnd far = i % 2 == 0 ? FarEnd{std::abs(coded) + offset, 1} : surmised(std::abs(coded), actual, offset, size, part);
+      errors.add({size / (size + actual), actual, far.size, 1 / part, slopes[i / 2] / all, far.leaves});
     }
     return errors;
   }
-  [[nodiscard]] int gradient(std::size_t place) const { return field_.gradient(header_, signs_, place); }
-  [[nodiscard]] int32_t domain(std::size_t place, std::size_t r, int x) const { return domainQuanta(*domain_, header_, place, r, x); }
-  [[nodiscard]] int displacement(std::size_t place, std::size_t block) const { return displacements_.at(place)[block]; }
-  [[nodiscard]] bool selected(std::size_t place) const { return selected_[place] != 0; }
+  [[nodiscard]] int gradient(std::size_t brickIndex) const { return field_.gradient(header_, signs_, brickIndex); }
+  [[nodiscard]] int32_t domain(std::size_t brickIndex, std::size_t r, int x) const { return domainSteps(*domain_, header_, brickIndex, r, x); }
+  [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const { return displacements_.at(brickIndex)[block]; }
+  [[nodiscard]] bool selected(std::size_t brickIndex) const { return selected_[brickIndex] != 0; }
 
  private:
   struct FarEnd {
@@ -192,13 +192,13 @@ class QuantizedField {
     double leaves;  // of what the pass allows
   };
   /// What will be told of a far end that comes later, if halving goes by this edge alone; it will have an aim of its own.
-  [[nodiscard]] static FarEnd surmised(int32_t middle, double truth, double offset, double size, double part) {
+  [[nodiscard]] static FarEnd surmised(int32_t middle, double actual, double offset, double size, double part) {
     constexpr double kRoom = 0.8, kTrust = 0.7;  // measured to be best
     double at = middle, width = 2.0 * (middle & -middle);
     const auto moves = [&] { return width > 2 && size * width > part * (size + at + offset) * (size + at + offset); };
     if (!moves()) return {at + offset, kRoom};
-    for (; moves(); width /= 2) at += truth - offset >= at ? width / 4 : -width / 4;
-    return {truth + kTrust * (at + offset - truth), kRoom};
+    for (; moves(); width /= 2) at += actual - offset >= at ? width / 4 : -width / 4;
+    return {actual + kTrust * (at + offset - actual), kRoom};
   }
 
   const GridField<D>& field_;
@@ -207,7 +207,7 @@ class QuantizedField {
   const GridField<D>* domain_;
   std::vector<uint8_t> selected_;
   Displacements<D> displacements_;
-  bool aims_ = false;
+  bool rdoq_ = false;
 };
 
 }  // namespace isostar

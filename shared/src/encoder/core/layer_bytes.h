@@ -12,17 +12,17 @@ class LayerBytes {
  public:
   /// Appends what tell(exchange) tells of the truth, behind the fields of the pass if there is one; error() is asked afterwards:
   /// the RMS distance of what a decoder shows then.
-  template <int D, class Field, class Tell, class Error>
-  void add(LayerHead head, const GeometryPass<D>* pass, const Signs<D>& truth, const Field& field, Tell tell, Error error) {
+  template <int D, class Field, class Code, class Error>
+  void add(LayerHead head, const GeometryPass<D>* pass, const Signs<D>& actual, const Field& field, Code code, Error error) {
     std::vector<std::byte> layer;
     if (pass != nullptr) {
       ByteWriter fields(layer);
-      if (head.kind == LayerKind::NearGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
+      if (head.kind == LayerKind::FurtherGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
       pass->write(fields);
     }
     RangeEncoder coder(layer);
-    TruthExchange<D, RangeEncoder, Field> ask(coder, truth, field);
-    tell(ask);
+    EncoderExchange<D, RangeEncoder, Field> exchange(coder, actual, field);
+    code(exchange);
     coder.finish();
     head.error = error();
     append(bytes_, head, layer);

@@ -30,15 +30,15 @@ Error withSource(std::span<const float> samples, std::span<const float> domain, 
   Tube<D> tube;
   for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
     if (members == Members::DiagonalEnds && polygonizer == Polygonizer::Cubes) break;
-    for (std::size_t place = 0; place < active.size(); ++place) {
-      if (active[place] == 0) continue;
-      tube.enter(signs, place, members);
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+      if (active[brickIndex] == 0) continue;
+      tube.enter(signs, brickIndex, members);
       if (tube.empty()) continue;
-      auto& brick = scalars.writable(place);
+      auto& brick = scalars.writable(brickIndex);
       tube.forEach([&](int row, std::size_t r, int x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
-        brick.set(v, tube.positive(row, x), field.magnitude(header, place, r, x), 0);
-        if (!domain.empty()) distances.writable(place).value[v] = 2 * domainQuanta(end, header, place, r, x) + 1;
+        brick.set(v, tube.positive(row, x), field.magnitude(header, brickIndex, r, x), 0);
+        if (!domain.empty()) distances.writable(brickIndex).value[v] = 2 * domainSteps(end, header, brickIndex, r, x) + 1;
       });
     }
   }

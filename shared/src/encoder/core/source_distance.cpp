@@ -21,8 +21,8 @@ std::vector<uint8_t> someOf(const std::vector<uint8_t>& marked, std::size_t most
   const std::size_t stride = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) / most + 1;
   std::vector<uint8_t> some(marked.size(), 0);
   std::size_t number = 0;
-  for (std::size_t place = 0; place < marked.size(); ++place) {
-    if (marked[place] != 0 && number++ % stride == 0) some[place] = 1;
+  for (std::size_t brickIndex = 0; brickIndex < marked.size(); ++brickIndex) {
+    if (marked[brickIndex] != 0 && number++ % stride == 0) some[brickIndex] = 1;
   }
   return some;
 }
@@ -47,19 +47,19 @@ SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& heade
   const auto bricks = someOf(active, kBricks);
   const uint64_t stride = countCrossings(signs, bricks) / kSamples + 1;
   uint64_t number = 0;
-  std::size_t place = 0;
+  std::size_t brickIndex = 0;
   forCrossedRows(
-      signs, bricks, false, [&](std::size_t entered) { place = entered; },
+      signs, bricks, false, [&](std::size_t entered) { brickIndex = entered; },
       [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
         for (; crossed != 0; crossed &= crossed - 1) {
           if (number++ % stride != 0) continue;
           const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
           const auto axis = static_cast<std::size_t>(std::countr_zero(axes));
-          Sample sample{place, ends.evenAt, ends.oddAt, field.crossing(ends.even, ends.odd, axis), 0, {}, normal(ends)};
+          Sample sample{brickIndex, ends.evenAt, ends.oddAt, field.crossing(ends.even, ends.odd, axis), 0, {}, normal(ends)};
           sample.perEdge = unit_[axis] * sample.normal[axis];
           for (std::size_t a = 0; a < D; ++a) sample.position[a] = (ends.even[a] + sample.crossing * (ends.odd[a] - ends.even[a])) * unit_[a];
           samples_.push_back(sample);
-          for (const auto& end : {ends.even, ends.odd}) near_[signs.table().placeOf(end)] = 1;
+          for (const auto& end : {ends.even, ends.odd}) near_[signs.table().brickIndexOf(end)] = 1;
         }
       });
 }
@@ -112,16 +112,16 @@ double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) con
 template <int D>
 double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints, int finer) const {
   const auto& table = finest.table();
-  const bool told = scalars.places() != 0;
-  Scalars<D> estimated = told ? Scalars<D>() : Scalars<D>(table.total());
-  if (!told) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated, hints);
+  const bool coded = scalars.tableSize() != 0;
+  Scalars<D> estimated = coded ? Scalars<D>() : Scalars<D>(table.total());
+  if (!coded) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated, hints);
   ScalarWindow<D> window;
   std::size_t loaded = SIZE_MAX;
   const double unit = std::ldexp(1, -finer);
   double sum = 0;
   for (const Sample& sample : samples_) {
-    if (sample.place != loaded) window.load(told ? scalars : estimated, table, table.brick(sample.place));
-    loaded = sample.place;
+    if (sample.brickIndex != loaded) window.load(coded ? scalars : estimated, table, table.brick(sample.brickIndex));
+    loaded = sample.brickIndex;
     const double distance = (decoded(window, sample, unit) - sample.crossing) * sample.perEdge;
     sum += distance * distance;
   }
@@ -131,14 +131,14 @@ double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
 template <int D>
 std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs, const Scalars<D>& scalars, const std::vector<uint8_t>& active) const {
   const auto& table = signs.table();
-  std::vector<uint8_t> places(active.size(), 0);
+  std::vector<uint8_t> brickIndices(active.size(), 0);
   bool any = false;
   std::array<double, 1u << D> lengths{};
   for (unsigned axes = 1; axes < lengths.size(); ++axes) lengths[axes] = edgeLength(header_.placement, axes);
   ScalarWindow<D> window;
   forCrossedRows(
       signs, active, header_.polygonizer == Polygonizer::Tetrahedra,
-      [&](std::size_t place) { window.load(scalars, table, table.brick(place)); },
+      [&](std::size_t brickIndex) { window.load(scalars, table, table.brick(brickIndex)); },
       [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
         const double allowed = bound / lengths[axes];
         for (; crossed != 0; crossed &= crossed - 1) {
@@ -148,11 +148,11 @@ std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& sig
           const double trueEven = std::abs(field_.scalar(ends.even)), trueOdd = std::abs(field_.scalar(ends.odd));
           // The difference of even / (even + odd) and its truth, without divisions.
           if (std::abs(even * trueOdd - odd * trueEven) <= allowed * (even + odd) * (trueEven + trueOdd)) continue;
-          for (const auto& end : {ends.even, ends.odd}) places[table.placeOf(end)] = 1;
+          for (const auto& end : {ends.even, ends.odd}) brickIndices[table.brickIndexOf(end)] = 1;
           any = true;
         }
       });
-  return any ? places : std::vector<uint8_t>();
+  return any ? brickIndices : std::vector<uint8_t>();
 }
 
 template class SourceDistance<2>;

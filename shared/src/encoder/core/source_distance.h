@@ -21,7 +21,7 @@ class SourceDistance {
   /// RMS distance of the finest octave's surface; scalars without places stand for none told, and count 2^-finer half quanta.
   [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints = {}, int finer = 0) const;
   /// The bricks that it looks at, by place.
-  [[nodiscard]] const std::vector<uint8_t>& places() const { return near_; }
+  [[nodiscard]] const std::vector<uint8_t>& tableSize() const { return near_; }
 
   /// The bricks with an end of an edge on which a vertex of the finest surface is off by more than a bound, 1 marked, by
   /// place; empty if there is none. All scalars are known.
@@ -32,7 +32,7 @@ class SourceDistance {
 
   /// A vertex of the source's surface.
   struct Sample {
-    std::size_t place;    // of its edge's first vertex
+    std::size_t brickIndex;    // of its edge's first vertex
     int evenAt, oddAt;    // the edge's ends in a ScalarWindow
     double crossing;      // where on the edge it lies, from the even end (0) to the odd one (1)
     double perEdge;       // how far the surface moves as the vertex moves along the whole edge

@@ -21,14 +21,14 @@ class VertexCloud {
     estimateMissing(signs, active, Members::AxisEnds, 0, scalars, hints);
     ScalarWindow<D> window;
     std::size_t entered = 0;
-    auto finish = [&](std::size_t place) {
-      while (entered < place) first_[++entered] = vertices_.size();
+    auto finish = [&](std::size_t brickIndex) {
+      while (entered < brickIndex) first_[++entered] = vertices_.size();
     };
     forCrossedRows(
         signs, active, false,
-        [&](std::size_t place) {
-          finish(place);
-          window.load(scalars, table_, table_.brick(place));
+        [&](std::size_t brickIndex) {
+          finish(brickIndex);
+          window.load(scalars, table_, table_.brick(brickIndex));
         },
         [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
           for (; crossed != 0; crossed &= crossed - 1) {
@@ -88,15 +88,15 @@ class VertexCloud {
   }
 
   void scan(const Point& p, const Coordinates<D>& brick, Nearest& nearest) const {
-    const std::size_t place = table_.place(brick);
-    if (first_[place] == first_[place + 1]) return;
+    const std::size_t brickIndex = table_.index(brick);
+    if (first_[brickIndex] == first_[brickIndex + 1]) return;
     double least = 0;
     for (int a = 0; a < D; ++a) {
       const double low = brick[a] * side(a) - p[a];
       least += square(std::max({low, -low - side(a), 0.0}));
     }
     if (least >= nearest.squared) return;
-    for (std::size_t v = first_[place]; v < first_[place + 1]; ++v) {
+    for (std::size_t v = first_[brickIndex]; v < first_[brickIndex + 1]; ++v) {
       Point offset;
       double squared = 0;
       for (int a = 0; a < D; ++a) {

@@ -10,22 +10,22 @@ namespace {
 struct NoScalars {};
 
 /// Splits cells around what cannot be turned, at each step of the stream that a plan would make. How many were there?
-std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vector<Signs<3>>& truth, double reach) {
+std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vector<Signs<3>>& actual, double reach) {
   std::vector<std::byte> thrownAway;
   RangeEncoder coder(thrownAway);
   const NoScalars none;
-  TruthExchange<3, RangeEncoder, NoScalars> ask(coder, truth.front(), none);
-  ask.follow(truth, plan.centres());
+  EncoderExchange<3, RangeEncoder, NoScalars> exchange(coder, actual.front(), none);
+  exchange.follow(actual, plan.centres());
   AdaptiveField<3> field(header.base<3>());
-  field.mesh.tellAll(ask, header.octaves());
+  field.mesh.codeAll(exchange, header.finestLevel());
   std::size_t stuck = 0;
   std::vector<std::vector<Coordinates<3>>> byLevel;
-  for (int level = 0; level < header.octaves(); ++level) {
+  for (int level = 0; level < header.finestLevel(); ++level) {
     if (level > 0) {
-      ask.enter(level);
-      field.mesh.fill(ask, level);
+      exchange.enter(level);
+      field.mesh.fill(exchange, level);
     }
-    byLevel.push_back(stuckTurns(truth.back(), field.shown(header.octaves())->signs));
+    byLevel.push_back(stuckFlips(actual.back(), field.shown(header.finestLevel())->signs));
     stuck += byLevel.back().size();
   }
   for (std::size_t level = 0; level < byLevel.size(); ++level) {
@@ -36,10 +36,10 @@ std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vect
 
 }  // namespace
 
-std::vector<Signs<3>> wholeCells(const Header& header, const std::vector<Signs<3>>& truth) {
-  TopologyPlan<3> plan(truth);
+std::vector<Signs<3>> wholeCells(const Header& header, const std::vector<Signs<3>>& actual) {
+  TopologyPlan<3> plan(actual);
   // Farther and farther, until in the end nothing stays whole: what is wrong here may have its reason there.
-  for (double reach = 0; improve(plan, header, truth, reach) != 0; reach = reach * 1.5 + 0.25) plan.update();
+  for (double reach = 0; improve(plan, header, actual, reach) != 0; reach = reach * 1.5 + 0.25) plan.update();
   return plan.centres();
 }
 

@@ -172,16 +172,16 @@ class Answers {
 
 }  // namespace
 
-bool turnKeepsTopology(const Signs<3>& signs, const Coordinates<3>& v) { return keepsTopology(Block(signs, v)); }
+bool flipKeepsTopology(const Signs<3>& signs, const Coordinates<3>& v) { return keepsTopology(Block(signs, v)); }
 
-std::vector<Coordinates<3>> stuckTurns(Signs<3> from, const Signs<3>& to) {
+std::vector<Coordinates<3>> stuckFlips(Signs<3> from, const Signs<3>& to) {
   std::vector<Coordinates<3>> open;
-  for (std::size_t place = 0; place < from.table().total(); ++place) {
-    const auto &a = from.brickAt(place).rows, &b = to.brickAt(place).rows;
-    const auto brick = from.table().brick(place);
+  for (std::size_t brickIndex = 0; brickIndex < from.table().total(); ++brickIndex) {
+    const auto &a = from.brickAt(brickIndex).rows, &b = to.brickAt(brickIndex).rows;
+    const auto brick = from.table().brick(brickIndex);
     for (std::size_t r = 0; r < a.size(); ++r) {
-      for (unsigned turned = a[r] ^ b[r]; turned != 0; turned &= turned - 1) {
-        const Coordinates<3> v{brick[0] * kBrickSide + std::countr_zero(turned), brick[1] * kBrickSide + static_cast<int32_t>(r % kBrickSide),
+      for (unsigned flipped = a[r] ^ b[r]; flipped != 0; flipped &= flipped - 1) {
+        const Coordinates<3> v{brick[0] * kBrickSide + std::countr_zero(flipped), brick[1] * kBrickSide + static_cast<int32_t>(r % kBrickSide),
                                brick[2] * kBrickSide + static_cast<int32_t>(r / kBrickSide)};
         const auto& last = from.lattice().last;
         if (v[0] <= last[0] && v[1] <= last[1] && v[2] <= last[2]) open.push_back(v);

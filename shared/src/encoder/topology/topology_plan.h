@@ -16,7 +16,7 @@ template <int D>
 class TopologyPlan {
  public:
   /// The source's signs by octave; they outlive the plan.
-  explicit TopologyPlan(const std::vector<Signs<D>>& truth);
+  explicit TopologyPlan(const std::vector<Signs<D>>& actual);
 
   /// The centres of an octave's cells that stay whole, by octave, on the lattice of the next finer one; none on the first.
   [[nodiscard]] const std::vector<Signs<D>>& centres() const { return centres_; }
@@ -27,12 +27,12 @@ class TopologyPlan {
   void update();
 
  private:
-  [[nodiscard]] int octaves() const { return static_cast<int>(truth_.size()) - 1; }
+  [[nodiscard]] int finestLevel() const { return static_cast<int>(actual_.size()) - 1; }
   [[nodiscard]] bool keepsTopology(int level, const Coordinates<D>& v) const;
   void pinParents(const Signs<D>& bad, Signs<D>& parents) const;
   [[nodiscard]] Signs<D> wholeCells(int level, const Signs<D>& bad) const;
 
-  const std::vector<Signs<D>>& truth_;
+  const std::vector<Signs<D>>& actual_;
   std::vector<Signs<D>> changing_;   // fresh vertices whose weld would change the topology
   std::vector<Signs<D>> forbidden_;  // centres of cells
   std::vector<Signs<D>> centres_;
