@@ -24,14 +24,16 @@ int reportParsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
   const CLI::App* command = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
   const std::vector<std::string> unknown = app.remaining(true);
-  const std::string what = unknown.empty() ? oneLine(error.what()) : describeUnknown(*command, unknown.front());
+  const std::string what =
+      unknown.empty() ? oneLine(error.what()) : describeUnknown(*command, unknown.front());
   return report(kUsageFault, text("%s; see isostar %s--help", what.c_str(),
                                   command == &app ? "" : (command->get_name() + " ").c_str()));
 }
 
 int run(int argc, char** argv) {
   CLI::App app("Isosurfaces of volume data, compressed and decoded progressively.", "isostar");
-  app.set_version_flag("--version", text("isostar %s (format %d)", ISOSTAR_VERSION, kFormatVersion));
+  app.set_version_flag("--version",
+                       text("isostar %s (format %d)", ISOSTAR_VERSION, kFormatVersion));
   app.option_defaults()->always_capture_default();
   app.get_formatter()->label("TEXT", "FILE");
   app.get_formatter()->label("FLOAT", "NUMBER");

@@ -1,4 +1,5 @@
-// The raw WebAssembly module: each line a rename or a view. web/src/raw.ts declares it, web/src/local-decoder.ts is its only caller.
+// The raw WebAssembly module: each line a rename or a view. web/src/raw.ts declares it,
+// web/src/local-decoder.ts is its only caller.
 #include <emscripten/bind.h>
 
 #include <isostar/isostar.h>
@@ -31,7 +32,8 @@ val describeLayer(const isostar::LayerInfo& layer, const std::vector<double>& is
 
 val describeStream(const isostar::StreamInfo& info) {
   val out = val::object(), layers = val::array();
-  for (const auto& layer : info.layers) layers.call<void>("push", describeLayer(layer, info.isovalues));
+  for (const auto& layer : info.layers)
+    layers.call<void>("push", describeLayer(layer, info.isovalues));
   out.set("version", info.version);
   out.set("dimension", info.dimension);
   out.set("size", arrayOf(info.size));
@@ -39,7 +41,8 @@ val describeStream(const isostar::StreamInfo& info) {
   out.set("spacing", arrayOf(info.placement.spacing));
   out.set("direction", arrayOf(info.placement.direction));
   out.set("isovalues", arrayOf(info.isovalues));
-  out.set("polygonizer", std::string(info.polygonizer == isostar::Polygonizer::Cubes ? "cubes" : "tetrahedra"));
+  out.set("polygonizer",
+          std::string(info.polygonizer == isostar::Polygonizer::Cubes ? "cubes" : "tetrahedra"));
   out.set("lossless", info.lossless);
   out.set("effort", info.effort);
   out.set("maxError", info.maxError);
@@ -52,7 +55,8 @@ val describeStream(const isostar::StreamInfo& info) {
 
 class RawDecoder {
  public:
-  /// Room for n bytes inside this module's memory, to be filled at once and then handed in with accept(n).
+  /// Room for n bytes inside this module's memory, to be filled at once and then handed in with
+  /// accept(n).
   val room(size_t n) {
     room_.resize(n);
     return viewOf(room_);
@@ -71,14 +75,15 @@ class RawDecoder {
   std::string error() const { return isostar::name(decoder_.error()); }
   std::string describeError() const { return isostar::describe(decoder_.error()); }
 
-  std::string makeMesh(isostar::Polygonizer polygonizer, isostar::Frame frame, bool normals, double isovalue) {
+  std::string makeMesh(isostar::Polygonizer polygonizer, isostar::Frame frame, bool normals,
+                       double isovalue) {
     isostar::MeshOptions options{polygonizer, frame, normals};
     options.isovalue = isovalue;
     return isostar::name(decoder_.mesh(options, mesh_));
   }
   val positions() const { return viewOf(mesh_.positions); }
   val normals() const { return viewOf(mesh_.normals); }
-  val triangles() const { return viewOf(mesh_.triangles); }
+  val indices() const { return viewOf(mesh_.indices); }
 
  private:
   isostar::Decoder decoder_;
@@ -88,7 +93,8 @@ class RawDecoder {
 
 }  // namespace
 
-/// Embind prints the addresses of types that have no names, for its errors: ours all have one, and a page need not load printf.
+/// Embind prints the addresses of types that have no names, for its errors: ours all have one, and
+/// a page need not load printf.
 extern "C" int __wrap_siprintf(char* out, const char*, ...) {
   *out = '\0';
   return 0;
@@ -98,7 +104,9 @@ EMSCRIPTEN_BINDINGS(isostar) {
   emscripten::enum_<isostar::Polygonizer>("Polygonizer")
       .value("cubes", isostar::Polygonizer::Cubes)
       .value("tetrahedra", isostar::Polygonizer::Tetrahedra);
-  emscripten::enum_<isostar::Frame>("Frame").value("world", isostar::Frame::World).value("grid", isostar::Frame::Grid);
+  emscripten::enum_<isostar::Frame>("Frame")
+      .value("world", isostar::Frame::World)
+      .value("grid", isostar::Frame::Grid);
 
   emscripten::class_<RawDecoder>("Decoder")
       .constructor<>()
@@ -118,5 +126,5 @@ EMSCRIPTEN_BINDINGS(isostar) {
       .function("makeMesh", &RawDecoder::makeMesh)
       .function("positions", &RawDecoder::positions)
       .function("normals", &RawDecoder::normals)
-      .function("triangles", &RawDecoder::triangles);
+      .function("indices", &RawDecoder::indices);
 }

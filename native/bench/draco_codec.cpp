@@ -19,15 +19,18 @@ void fill(draco::Mesh& result, const Mesh& mesh) {
   const auto vertices = static_cast<uint32_t>(mesh.positions.size() / 3);
   result.set_num_points(vertices);
   draco::GeometryAttribute description;
-  description.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_FLOAT32, false, sizeof(float) * 3, 0);
-  draco::PointAttribute& positions = *result.attribute(result.AddAttribute(description, true, vertices));
+  description.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_FLOAT32, false,
+                   sizeof(float) * 3, 0);
+  draco::PointAttribute& positions =
+      *result.attribute(result.AddAttribute(description, true, vertices));
   for (uint32_t v = 0; v < vertices; ++v)
     positions.SetAttributeValue(draco::AttributeValueIndex(v), &mesh.positions[3 * size_t{v}]);
-  result.SetNumFaces(mesh.triangles.size() / 3);
+  result.SetNumFaces(mesh.indices.size() / 3);
   for (uint32_t f = 0; f < result.num_faces(); ++f) {
-    const uint32_t* corners = &mesh.triangles[3 * size_t{f}];
+    const uint32_t* corners = &mesh.indices[3 * size_t{f}];
     result.SetFace(draco::FaceIndex(f),
-                   {draco::PointIndex(corners[0]), draco::PointIndex(corners[1]), draco::PointIndex(corners[2])});
+                   {draco::PointIndex(corners[0]), draco::PointIndex(corners[1]),
+                    draco::PointIndex(corners[2])});
   }
 }
 
@@ -48,7 +51,8 @@ std::vector<std::byte> encodeDraco(const Mesh& mesh, int level, int bits) {
   encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, bits);
   encoder.SetSpeedOptions(10 - level, 10 - level);
   draco::EncoderBuffer buffer;
-  if (const draco::Status status = encoder.EncodeMeshToBuffer(input, &buffer); !status.ok()) fail(status);
+  if (const draco::Status status = encoder.EncodeMeshToBuffer(input, &buffer); !status.ok())
+    fail(status);
   const auto* bytes = reinterpret_cast<const std::byte*>(buffer.data());
   return {bytes, bytes + buffer.size()};
 }
@@ -59,13 +63,15 @@ size_t decodeDraco(std::span<const std::byte> bytes) {
 
 Mesh meshOfDraco(std::span<const std::byte> bytes) {
   const auto mesh = decoded(bytes);
-  const draco::PointAttribute& positions = *mesh->GetNamedAttribute(draco::GeometryAttribute::POSITION);
+  const draco::PointAttribute& positions =
+      *mesh->GetNamedAttribute(draco::GeometryAttribute::POSITION);
   Mesh result;
   result.positions.resize(3 * size_t{mesh->num_points()});
   for (uint32_t p = 0; p < mesh->num_points(); ++p)
     positions.GetMappedValue(draco::PointIndex(p), &result.positions[3 * size_t{p}]);
   for (uint32_t f = 0; f < mesh->num_faces(); ++f) {
-    for (const draco::PointIndex& corner : mesh->face(draco::FaceIndex(f))) result.triangles.push_back(corner.value());
+    for (const draco::PointIndex& corner : mesh->face(draco::FaceIndex(f)))
+      result.indices.push_back(corner.value());
   }
   return result;
 }

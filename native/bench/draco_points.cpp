@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kRatios[] = {0.85, 0.7, 0.5, 0.36, 0.26, 0.18, 0.13, 0.09, 0.06, 0.035, 0.02, 0.01, 0.005, 0.0025};
+constexpr double kRatios[] = {0.85, 0.7,  0.5,   0.36, 0.26, 0.18,  0.13,
+                              0.09, 0.06, 0.035, 0.02, 0.01, 0.005, 0.0025};
 constexpr double kCoarse = 0.05;  // ratio below which larger steps pay, too
 
 Json dracoPoint(const Mesh& mesh, int level, int bits, const Ruler& ruler) {
@@ -27,14 +28,16 @@ Json dracoPoint(const Mesh& mesh, int level, int bits, const Ruler& ruler) {
 }  // namespace
 
 std::vector<int> positionBits(const Mesh& mesh, double coarsestStep, int most) {
-  float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
+  float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY},
+        side = 0;
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
     high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
   }
   for (int axis = 0; axis < 3; ++axis) side = std::max(side, high[axis] - low[axis]);
   std::vector<int> bits;
-  for (int b = std::clamp(static_cast<int>(std::ceil(std::log2(side / coarsestStep))), 2, 8); b <= most; ++b)
+  for (int b = std::clamp(static_cast<int>(std::ceil(std::log2(side / coarsestStep))), 2, 8);
+       b <= most; ++b)
     bits.push_back(b);
   return bits;
 }
@@ -56,7 +59,7 @@ Json simplifiedPoints(const Mesh& mesh, const Ruler& ruler) {
   Json points = Json::array();
   for (double ratio : kRatios) {
     const Mesh fewer = simplified(mesh, ratio);
-    if (fewer.triangles.empty()) break;
+    if (fewer.indices.empty()) break;
     for (int bits : positionBits(mesh, ratio < kCoarse ? 4 : 2, 13)) {
       points.push_back(dracoPoint(fewer, 10, bits, ruler));
       points.back()["ratio"] = ratio;

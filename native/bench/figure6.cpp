@@ -39,7 +39,8 @@ Json adaptive(const Subject& subject, const Ruler& ruler) {
 
 Json singleRate(const Subject& subject, const measure::TriangleTree& surface, const Ruler& ruler) {
   Json points = Json::array();
-  for (const auto& stream : encodeSingleRate(subject.volume.view(), subject.isovalue, surface, kSingleRateBounds)) {
+  for (const auto& stream :
+       encodeSingleRate(subject.volume.view(), subject.isovalue, surface, kSingleRateBounds)) {
     const SampledFunction function = decodeSingleRate(stream.bytes);
     const Volume volume{function.samples, function.size, {}};
     Mesh mesh;
@@ -78,10 +79,11 @@ Json octree(const Subject& subject, const measure::TriangleTree& surface, const 
 
 Json figure6(const Subject& subject, const Figure6Options& options) {
   Json json = {{"isovalue", subject.isovalue}, {"vertices", subject.mesh.positions.size() / 3}};
-  if (subject.mesh.triangles.empty()) return json;
+  if (subject.mesh.indices.empty()) return json;
   const Ruler ruler(subject.mesh, options.points);
   const measure::TriangleTree surface(subject.mesh);
-  json["prefixes"] = prefixes(encodeIsostar(subject, EncodeOptions{}.maxError), subject, ruler, options.prefixes);
+  json["prefixes"] =
+      prefixes(encodeIsostar(subject, EncodeOptions{}.maxError), subject, ruler, options.prefixes);
   json["uniform"] = uniform(subject, ruler);
   json["adaptive"] = adaptive(subject, ruler);
   json["singleRate"] = singleRate(subject, surface, ruler);

@@ -11,8 +11,8 @@ struct Figure6Options {
   int prefixes = 12;      // of the default stream, besides those that end with a layer
 };
 
-/// Rate and distortion as in the paper's figure 6: points { bytes, rms, max } of uniform, adaptive and single-rate streams and
-/// of an octree coder.
+/// Rate and distortion as in the paper's figure 6: points { bytes, rms, max } of uniform, adaptive
+/// and single-rate streams and of an octree coder.
 nlohmann::ordered_json figure6(const Subject&, const Figure6Options&);
 
 }  // namespace isostar::bench

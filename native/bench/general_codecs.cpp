@@ -39,7 +39,8 @@ Range rangeOf(const std::vector<float>& positions) {
     range.low[i % 3] = std::min(range.low[i % 3], positions[i]);
     high[i % 3] = std::max(high[i % 3], positions[i]);
   }
-  for (size_t axis = 0; axis < 3; ++axis) range.side = std::max(range.side, high[axis] - range.low[axis]);
+  for (size_t axis = 0; axis < 3; ++axis)
+    range.side = std::max(range.side, high[axis] - range.low[axis]);
   return range;
 }
 
@@ -57,23 +58,27 @@ MeshoptStream encodeMeshopt(const Mesh& mesh, int bits) {
   const size_t vertices = mesh.positions.size() / 3;
   std::vector<Corner> corners(vertices), sorted(vertices);
   for (size_t i = 0; i < mesh.positions.size(); ++i)
-    corners[i / 3][i % 3] = static_cast<uint16_t>(std::lround((mesh.positions[i] - range.low[i % 3]) / step));
+    corners[i / 3][i % 3] =
+        static_cast<uint16_t>(std::lround((mesh.positions[i] - range.low[i % 3]) / step));
 
   MeshoptStream result;
-  std::vector<uint32_t>& triangles = result.decoded.triangles;
-  triangles.resize(mesh.triangles.size());
-  meshopt_optimizeVertexCacheStrip(triangles.data(), mesh.triangles.data(), mesh.triangles.size(), vertices);
-  meshopt_optimizeVertexFetch(sorted.data(), triangles.data(), triangles.size(), corners.data(), vertices,
-                              sizeof(Corner));
+  std::vector<uint32_t>& triangles = result.decoded.indices;
+  triangles.resize(mesh.indices.size());
+  meshopt_optimizeVertexCacheStrip(triangles.data(), mesh.indices.data(), mesh.indices.size(),
+                                   vertices);
+  meshopt_optimizeVertexFetch(sorted.data(), triangles.data(), triangles.size(), corners.data(),
+                              vertices, sizeof(Corner));
   for (const Corner& corner : sorted) {
     for (size_t axis = 0; axis < 3; ++axis)
       result.decoded.positions.push_back(range.low[axis] + step * static_cast<float>(corner[axis]));
   }
 
   std::vector<unsigned char> buffer(meshopt_encodeVertexBufferBound(vertices, sizeof(Corner)));
-  buffer.resize(meshopt_encodeVertexBuffer(buffer.data(), buffer.size(), sorted.data(), vertices, sizeof(Corner)));
+  buffer.resize(meshopt_encodeVertexBuffer(buffer.data(), buffer.size(), sorted.data(), vertices,
+                                           sizeof(Corner)));
   std::vector<unsigned char> indices(meshopt_encodeIndexBufferBound(triangles.size(), vertices));
-  indices.resize(meshopt_encodeIndexBuffer(indices.data(), indices.size(), triangles.data(), triangles.size()));
+  indices.resize(meshopt_encodeIndexBuffer(indices.data(), indices.size(), triangles.data(),
+                                           triangles.size()));
   buffer.insert(buffer.end(), indices.begin(), indices.end());
   result.bytes = compressedBytes(buffer.data(), buffer.size(), kMeshLevel);
   return result;
@@ -81,7 +86,8 @@ MeshoptStream encodeMeshopt(const Mesh& mesh, int bits) {
 
 size_t zstdBytes(const std::vector<float>& samples) {
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  const bool whole = std::all_of(samples.begin(), samples.end(), [](float s) { return s == std::floor(s); });
+  const bool whole =
+      std::all_of(samples.begin(), samples.end(), [](float s) { return s == std::floor(s); });
   if (whole && *low >= 0 && *high <= UINT8_MAX) return zstdBytesAs<uint8_t>(samples);
   if (whole && *low >= 0 && *high <= UINT16_MAX) return zstdBytesAs<uint16_t>(samples);
   if (whole && *low >= INT16_MIN && *high <= INT16_MAX) return zstdBytesAs<int16_t>(samples);

@@ -12,8 +12,8 @@ struct MeshoptStream {
   Mesh decoded;
 };
 
-/// What gltfpack -cc makes, then zstd: positions in `bits` of the box's longest side, meshoptimizer's vertex and index
-/// codecs in the order that suits them.
+/// What gltfpack -cc makes, then zstd: positions in `bits` of the box's longest side,
+/// meshoptimizer's vertex and index codecs in the order that suits them.
 MeshoptStream encodeMeshopt(const Mesh&, int bits);
 
 /// The volume itself under zstd, in the narrowest type that holds its samples.

@@ -17,7 +17,8 @@ std::vector<std::byte> encodeIsostarOfOneTopology(const Subject&, double maxErro
 std::vector<std::byte> encodeIsostarWith(const Subject&, double near, double maxError);
 std::vector<std::byte> encodeIsostarLossless(const Subject&);
 
-/// A decoder that has made the most of a prefix; fails with one line where a prefix is anything but short.
+/// A decoder that has made the most of a prefix; fails with one line where a prefix is anything but
+/// short.
 Decoder decodeIsostar(std::span<const std::byte> prefix);
 
 /// Marching cubes' mesh of what it knows, in sample indices.

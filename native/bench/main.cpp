@@ -26,10 +26,12 @@ int main(int count, char** words) {
   sizesCommand.callback([&] { std::cout << sizes(readSubject(request), sizeOptions) << "\n"; });
 
   Figure6Options figureOptions;
-  CLI::App& figureCommand = addSubject(app, "figure6", "Rate and distortion as in the paper's figure 6", request);
+  CLI::App& figureCommand =
+      addSubject(app, "figure6", "Rate and distortion as in the paper's figure 6", request);
   addPoints(figureCommand, figureOptions.points);
   addPrefixes(figureCommand, figureOptions.prefixes);
-  figureCommand.callback([&] { std::cout << figure6(readSubject(request), figureOptions) << "\n"; });
+  figureCommand.callback(
+      [&] { std::cout << figure6(readSubject(request), figureOptions) << "\n"; });
 
   TimeOptions timeOptions;
   CLI::App& timesCommand = addSubject(app, "times", "Times of encoders and decoders", request);

@@ -14,14 +14,17 @@ constexpr double kMostBins = 65536;
 
 double otsuThreshold(const std::vector<float>& samples) {
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  const bool whole = std::all_of(samples.begin(), samples.end(), [](float s) { return s == std::floor(s); });
+  const bool whole =
+      std::all_of(samples.begin(), samples.end(), [](float s) { return s == std::floor(s); });
   const double range = double{*high} - *low, start = *low;
-  const double width = whole ? std::max(1.0, std::ceil((range + 1) / kMostBins)) : std::max(range / 4096, 1e-30);
+  const double width =
+      whole ? std::max(1.0, std::ceil((range + 1) / kMostBins)) : std::max(range / 4096, 1e-30);
   std::vector<uint64_t> bins(static_cast<size_t>(range / width) + 1);
   for (float s : samples) ++bins[static_cast<size_t>((s - start) / width)];
 
   double all = 0;
-  for (size_t b = 0; b < bins.size(); ++b) all += static_cast<double>(b) * static_cast<double>(bins[b]);
+  for (size_t b = 0; b < bins.size(); ++b)
+    all += static_cast<double>(b) * static_cast<double>(bins[b]);
   const double count = static_cast<double>(samples.size());
   double below = 0, sumBelow = 0, best = -1;
   size_t last = 0;  // bin below the threshold

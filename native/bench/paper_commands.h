@@ -4,8 +4,8 @@
 
 namespace isostar::bench {
 
-/// What `npm run bench -- --paper` asks: adaptive streams, those of one topology, close-by isosurfaces, tetrahedra,
-/// images.
+/// What `npm run bench -- --paper` asks: adaptive streams, those of one topology, close-by
+/// isosurfaces, tetrahedra, images.
 void addPaperCommands(CLI::App&);
 
 }  // namespace isostar::bench

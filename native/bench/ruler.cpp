@@ -5,8 +5,9 @@
 namespace isostar::bench {
 namespace {
 
-std::optional<measure::Distance> measured(const Mesh& mesh, const measure::Measurable& source, size_t points) {
-  if (mesh.triangles.empty()) return {};
+std::optional<measure::Distance> measured(const Mesh& mesh, const measure::Measurable& source,
+                                          size_t points) {
+  if (mesh.indices.empty()) return {};
   return measure::surfaceDistance(measure::Measurable(mesh), source, points).symmetric();
 }
 

@@ -6,7 +6,8 @@
 
 namespace isostar::bench {
 
-/// Measures surfaces against the source's, in grid steps. The source must outlive it and have triangles.
+/// Measures surfaces against the source's, in grid steps. The source must outlive it and have
+/// triangles.
 class Ruler {
  public:
   Ruler(const Mesh& source, size_t points) : source_(source), points_(points) {}

@@ -10,10 +10,11 @@ Mesh compacted(const Mesh& mesh, std::vector<uint32_t> triangles) {
   constexpr size_t kStride = 3 * sizeof(float);
   const size_t vertices = mesh.positions.size() / 3;
   Mesh result;
-  result.triangles = std::move(triangles);
+  result.indices = std::move(triangles);
   result.positions.resize(mesh.positions.size());
-  const size_t used = meshopt_optimizeVertexFetch(result.positions.data(), result.triangles.data(),
-                                                  result.triangles.size(), mesh.positions.data(), vertices, kStride);
+  const size_t used =
+      meshopt_optimizeVertexFetch(result.positions.data(), result.indices.data(),
+                                  result.indices.size(), mesh.positions.data(), vertices, kStride);
   result.positions.resize(3 * used);
   return result;
 }
@@ -22,11 +23,12 @@ Mesh compacted(const Mesh& mesh, std::vector<uint32_t> triangles) {
 
 Mesh simplified(const Mesh& mesh, double ratio) {
   constexpr float kAnyError = 1e9f;
-  std::vector<uint32_t> triangles(mesh.triangles.size());
-  const size_t target = 3 * static_cast<size_t>(static_cast<double>(mesh.triangles.size() / 3) * ratio);
-  triangles.resize(meshopt_simplify(triangles.data(), mesh.triangles.data(), mesh.triangles.size(),
-                                    mesh.positions.data(), mesh.positions.size() / 3, 3 * sizeof(float), target,
-                                    kAnyError, 0, nullptr));
+  std::vector<uint32_t> triangles(mesh.indices.size());
+  const size_t target =
+      3 * static_cast<size_t>(static_cast<double>(mesh.indices.size() / 3) * ratio);
+  triangles.resize(meshopt_simplify(triangles.data(), mesh.indices.data(), mesh.indices.size(),
+                                    mesh.positions.data(), mesh.positions.size() / 3,
+                                    3 * sizeof(float), target, kAnyError, 0, nullptr));
   return compacted(mesh, std::move(triangles));
 }
 

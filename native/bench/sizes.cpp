@@ -24,16 +24,20 @@ Json streamJson(const std::vector<std::byte>& stream) {
     bits[layer.kind == "geometry"] += 8 * layer.bytes;
     layers.push_back(layerJson(layer));
   }
-  return {{"bytes", stream.size()},
-          {"bits", {{"connectivity", bits[false]}, {"geometry", bits[true]}, {"header", 8 * info.headerBytes}}},
-          {"layers", layers}};
+  return {
+      {"bytes", stream.size()},
+      {"bits",
+       {{"connectivity", bits[false]}, {"geometry", bits[true]}, {"header", 8 * info.headerBytes}}},
+      {"layers", layers}};
 }
 
-/// The decoded surface against the polygonizer's own: the same triangles, and how far a coordinate is off at most.
+/// The decoded surface against the polygonizer's own: the same triangles, and how far a coordinate
+/// is off at most.
 Json losslessJson(const Subject& subject) {
   const std::vector<std::byte> stream = encodeIsostarLossless(subject);
   const Mesh mesh = decodedMesh(stream, subject);
-  const bool same = mesh.triangles == subject.mesh.triangles && mesh.positions.size() == subject.mesh.positions.size();
+  const bool same = mesh.indices == subject.mesh.indices &&
+                    mesh.positions.size() == subject.mesh.positions.size();
   double worst = 0;
   for (size_t i = 0; same && i < mesh.positions.size(); ++i)
     worst = std::max(worst, std::abs(double{mesh.positions[i]} - subject.mesh.positions[i]));
@@ -60,8 +64,8 @@ Json sizes(const Subject& subject, const SizeOptions& options) {
                {"spacing", subject.volume.placement.spacing},
                {"isovalue", subject.isovalue},
                {"vertices", subject.mesh.positions.size() / 3},
-               {"triangles", subject.mesh.triangles.size() / 3}};
-  if (subject.mesh.triangles.empty()) return json;
+               {"triangles", subject.mesh.indices.size() / 3}};
+  if (subject.mesh.indices.empty()) return json;
   const Ruler ruler(subject.mesh, options.points);
   const double bound = EncodeOptions{}.maxError;
   const std::vector<std::byte> stream = encodeIsostar(subject, bound);

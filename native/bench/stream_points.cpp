@@ -58,7 +58,8 @@ Mesh decodedMesh(const std::vector<std::byte>& stream, const Subject& subject) {
   return meshInGridSteps(decodeIsostar(stream), subject);
 }
 
-Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, const Ruler& ruler, int steps) {
+Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, const Ruler& ruler,
+              int steps) {
   const StreamInfo info = inspected(stream);
   Json points = Json::array();
   std::optional<Distance> distance;
@@ -69,7 +70,8 @@ Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, cons
     if (decoder.bytes() != shown) distance = ruler.distance(meshInGridSteps(decoder, subject));
     shown = decoder.bytes();
     Json json = point(bytes, distance);
-    json["layerEnd"] = std::ranges::any_of(info.layers, [&](const LayerInfo& layer) { return layer.offset == bytes; });
+    json["layerEnd"] = std::ranges::any_of(
+        info.layers, [&](const LayerInfo& layer) { return layer.offset == bytes; });
     points.push_back(json);
   }
   return points;

@@ -19,9 +19,10 @@ StreamInfo inspected(const std::vector<std::byte>& stream);
 /// What a whole stream of isostar's shows, in grid steps.
 Mesh decodedMesh(const std::vector<std::byte>& stream, const Subject&);
 
-/// Points of a stream's prefixes: layer ends and the bytes just before, 2, 5 and 10 percent, and `steps` of one factor
-/// from the first of these to the whole.
-nlohmann::ordered_json prefixes(const std::vector<std::byte>& stream, const Subject&, const Ruler&, int steps);
+/// Points of a stream's prefixes: layer ends and the bytes just before, 2, 5 and 10 percent, and
+/// `steps` of one factor from the first of these to the whole.
+nlohmann::ordered_json prefixes(const std::vector<std::byte>& stream, const Subject&, const Ruler&,
+                                int steps);
 
 /// Points of whole streams of other bounds than the default one.
 nlohmann::ordered_json otherBounds(const Subject&, const Ruler&);

@@ -32,7 +32,8 @@ Subject readSubject(const SubjectRequest& request) {
 
 Mesh marchingCubes(const native::LoadedVolume& volume, double isovalue) {
   Mesh mesh;
-  require(polygonize(volume.view(), isovalue, {Polygonizer::Cubes, Frame::Grid, false}, mesh), "polygonize");
+  require(polygonize(volume.view(), isovalue, {Polygonizer::Cubes, Frame::Grid, false}, mesh),
+          "polygonize");
   toGridSteps(mesh, volume.placement);
   return mesh;
 }
@@ -40,7 +41,8 @@ Mesh marchingCubes(const native::LoadedVolume& volume, double isovalue) {
 void toGridSteps(Mesh& mesh, const Placement& placement) {
   const double smallest = native::smallestSpacing(placement);
   for (size_t i = 0; i < mesh.positions.size(); ++i)
-    mesh.positions[i] = static_cast<float>(mesh.positions[i] * (placement.spacing[i % 3] / smallest));
+    mesh.positions[i] =
+        static_cast<float>(mesh.positions[i] * (placement.spacing[i % 3] / smallest));
 }
 
 void require(Error error, const char* what) {

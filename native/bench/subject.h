@@ -28,7 +28,8 @@ Subject readSubject(const SubjectRequest&);
 /// Marching cubes on the source, as the competitors' encoders need it. Fails with one line.
 Mesh marchingCubes(const native::LoadedVolume&, double isovalue);
 
-/// Sample indices to grid steps along the smallest spacing: the unit of every distance in the comparison.
+/// Sample indices to grid steps along the smallest spacing: the unit of every distance in the
+/// comparison.
 void toGridSteps(Mesh&, const Placement&);
 
 /// Ends the program's work with one line where a call of the codec fails.

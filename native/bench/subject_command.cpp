@@ -2,11 +2,15 @@
 
 namespace isostar::bench {
 
-CLI::App& addSubject(CLI::App& app, const std::string& name, const std::string& help, SubjectRequest& request) {
+CLI::App& addSubject(CLI::App& app, const std::string& name, const std::string& help,
+                     SubjectRequest& request) {
   CLI::App& command = *app.add_subcommand(name, help);
-  command.add_option("volume", request.path, "A volume, or synthetic:sphere, torus, gyroid or noise")->required();
+  command
+      .add_option("volume", request.path, "A volume, or synthetic:sphere, torus, gyroid or noise")
+      ->required();
   command.add_option("--iso", request.isovalue, "The isovalue; without it Otsu's threshold");
-  command.add_option("--effort", request.effort, "Of isostar's encoder")->check(CLI::Range(1, EncodeOptions::kMostEffort));
+  command.add_option("--effort", request.effort, "Of isostar's encoder")
+      ->check(CLI::Range(1, EncodeOptions::kMostEffort));
   return command;
 }
 
@@ -17,7 +21,8 @@ void addPoints(CLI::App& command, size_t& points) {
 }
 
 void addPrefixes(CLI::App& command, int& prefixes) {
-  command.add_option("--prefixes", prefixes, "Prefixes between the layers' ends")->capture_default_str();
+  command.add_option("--prefixes", prefixes, "Prefixes between the layers' ends")
+      ->capture_default_str();
 }
 
 }  // namespace isostar::bench

@@ -7,7 +7,8 @@
 namespace isostar::bench {
 
 /// A subcommand about one isosurface, into `request`, which must outlive the parsing.
-CLI::App& addSubject(CLI::App&, const std::string& name, const std::string& help, SubjectRequest& request);
+CLI::App& addSubject(CLI::App&, const std::string& name, const std::string& help,
+                     SubjectRequest& request);
 
 /// --points: how exactly distances are measured.
 void addPoints(CLI::App&, size_t& points);

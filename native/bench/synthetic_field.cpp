@@ -50,7 +50,8 @@ const std::map<std::string, Recipe>& recipes() {
 
 SyntheticField syntheticField(const std::string& name) {
   const auto found = recipes().find(name);
-  if (found == recipes().end()) throw native::Failure(name, "not one of sphere, torus, gyroid, noise");
+  if (found == recipes().end())
+    throw native::Failure(name, "not one of sphere, torus, gyroid, noise");
   const Recipe& recipe = found->second;
   SyntheticField field;
   field.volume.size = recipe.size;

@@ -12,7 +12,8 @@ struct SyntheticField {
   double isovalue = 0;
 };
 
-/// "sphere", "torus", "gyroid" or "noise"; the same on every machine. Fails with one line on another name.
+/// "sphere", "torus", "gyroid" or "noise"; the same on every machine. Fails with one line on
+/// another name.
 SyntheticField syntheticField(const std::string& name);
 
 }  // namespace isostar::bench

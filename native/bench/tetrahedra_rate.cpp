@@ -29,8 +29,10 @@ Json tetrahedraRate(const TetrahedraRequest& request, const SizeOptions& options
   const std::vector<std::byte> stream = native::readFile(request.stream);
   const StreamInfo info = inspected(stream);
   const double step = native::smallestSpacing(info.placement);
-  Mesh decoded, source = native::isosurfaceOf(native::readTetrahedra(request.path, {}), request.isovalue);
-  require(decodeIsostar(stream).mesh({Polygonizer::Cubes, Frame::World, false}, decoded), "polygonize");
+  Mesh decoded,
+      source = native::isosurfaceOf(native::readTetrahedra(request.path, {}), request.isovalue);
+  require(decodeIsostar(stream).mesh({Polygonizer::Cubes, Frame::World, false}, decoded),
+          "polygonize");
   measureInSteps(decoded, step);
   measureInSteps(source, step);
   const auto distance = measure::surfaceDistance(decoded, source);

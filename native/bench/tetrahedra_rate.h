@@ -13,9 +13,9 @@ struct TetrahedraRequest {
   double isovalue = 0;
 };
 
-/// A stream's distance to the isosurface of the tetrahedra themselves (§1), both ways, from every vertex, and what
-/// Draco and simplified meshes of that isosurface cost at any distance; in grid steps of the stream. Fails with one
-/// line where either has no surface.
+/// A stream's distance to the isosurface of the tetrahedra themselves (§1), both ways, from every
+/// vertex, and what Draco and simplified meshes of that isosurface cost at any distance; in grid
+/// steps of the stream. Fails with one line where either has no surface.
 nlohmann::ordered_json tetrahedraRate(const TetrahedraRequest&, const SizeOptions&);
 
 }  // namespace isostar::bench

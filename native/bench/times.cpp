@@ -16,17 +16,21 @@ using Bytes = std::vector<std::byte>;
 constexpr int kBits = 10;
 
 Json encodeTimes(const Subject& subject, const TimeOptions& options) {
-  const auto best = race({[&] { marchingCubes(subject.volume, subject.isovalue); },
-                          [&] { encodeIsostar(subject, EncodeOptions{}.maxError); },
-                          [&] { encodeDraco(subject.mesh, 7, kBits); }, [&] { encodeDraco(subject.mesh, 10, kBits); }},
-                         options.milliseconds);
-  return {{"marchingCubes", best[0]}, {"isostar", best[1]}, {"draco7", best[2]}, {"draco10", best[3]}};
+  const auto best = race(
+      {[&] { marchingCubes(subject.volume, subject.isovalue); },
+       [&] { encodeIsostar(subject, EncodeOptions{}.maxError); },
+       [&] { encodeDraco(subject.mesh, 7, kBits); }, [&] { encodeDraco(subject.mesh, 10, kBits); }},
+      options.milliseconds);
+  return {
+      {"marchingCubes", best[0]}, {"isostar", best[1]}, {"draco7", best[2]}, {"draco10", best[3]}};
 }
 
-Json decodeTimes(const Bytes& stream, const Bytes& draco7, const Bytes& draco10, const TimeOptions& options) {
+Json decodeTimes(const Bytes& stream, const Bytes& draco7, const Bytes& draco10,
+                 const TimeOptions& options) {
   const auto best =
       race({[&] { decodeIsostar(stream); }, [&] { meshOf(decodeIsostar(stream), false); },
-            [&] { meshOf(decodeIsostar(stream), true); }, [&] { decodeDraco(draco7); }, [&] { decodeDraco(draco10); }},
+            [&] { meshOf(decodeIsostar(stream), true); }, [&] { decodeDraco(draco7); },
+            [&] { decodeDraco(draco10); }},
            options.milliseconds);
   return {{"isostar", best[0]},
           {"isostarPolygonized", best[1]},
@@ -44,7 +48,7 @@ void write(const Bytes& bytes, const std::filesystem::path& path) {
 }  // namespace
 
 Json times(const Subject& subject, const TimeOptions& options) {
-  if (subject.mesh.triangles.empty()) return {};
+  if (subject.mesh.indices.empty()) return {};
   const Bytes stream = encodeIsostar(subject, EncodeOptions{}.maxError);
   const Bytes draco7 = encodeDraco(subject.mesh, 7, kBits);
   const Bytes draco10 = encodeDraco(subject.mesh, 10, kBits);
@@ -52,7 +56,8 @@ Json times(const Subject& subject, const TimeOptions& options) {
     write(stream, std::filesystem::path(options.keep) / "surface.isostar");
     write(draco7, std::filesystem::path(options.keep) / "surface.drc");
   }
-  return {{"encode", encodeTimes(subject, options)}, {"decode", decodeTimes(stream, draco7, draco10, options)}};
+  return {{"encode", encodeTimes(subject, options)},
+          {"decode", decodeTimes(stream, draco7, draco10, options)}};
 }
 
 }  // namespace isostar::bench

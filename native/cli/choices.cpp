@@ -37,16 +37,16 @@ CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Val
 
 /// The same with a default, which the help shows.
 template <class Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names, Value& value,
-                       const std::string& help) {
+CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names,
+                       Value& value, const std::string& help) {
   const std::function<void(Value)> store = [&value](Value chosen) { value = chosen; };
   return addChoice(app, option, names, store, help)->default_str(nameOf(names, value));
 }
 
 /// The same without: nothing is chosen until the line says so.
 template <class Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names, std::optional<Value>& value,
-                       const std::string& help) {
+CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names,
+                       std::optional<Value>& value, const std::string& help) {
   const std::function<void(Value)> store = [&value](Value chosen) { value = chosen; };
   return addChoice(app, option, names, store, help);
 }
@@ -67,11 +67,12 @@ int64_t parse(const std::string& option, const std::string& word, int64_t) {
 
 /// "256,256,113".
 template <class Number>
-CLI::Option* addTriple(CLI::App& app, const std::string& option, std::optional<std::array<Number, 3>>& value,
-                       const std::string& help) {
+CLI::Option* addTriple(CLI::App& app, const std::string& option,
+                       std::optional<std::array<Number, 3>>& value, const std::string& help) {
   const auto store = [&value, option](const std::string& words) {
     const std::vector<std::string> parts = CLI::detail::split(words, ',');
-    if (parts.size() != 3) throw CLI::ValidationError(option, text("'%s' is not of the form X,Y,Z", words.c_str()));
+    if (parts.size() != 3)
+      throw CLI::ValidationError(option, text("'%s' is not of the form X,Y,Z", words.c_str()));
     value.emplace();
     for (size_t axis = 0; axis < 3; ++axis) (*value)[axis] = parse(option, parts[axis], Number{});
   };
@@ -91,10 +92,12 @@ CLI::Validator numberCheck(bool (*good)(double), const char* wanted) {
 }  // namespace
 
 const CLI::Validator kFinite = numberCheck([](double x) { return std::isfinite(x); }, "finite");
-const CLI::Validator kPositive = numberCheck([](double x) { return std::isfinite(x) && x > 0; }, "positive");
+const CLI::Validator kPositive =
+    numberCheck([](double x) { return std::isfinite(x) && x > 0; }, "positive");
 
 CLI::Option* addPolygonizer(CLI::App& app, Polygonizer& value, const std::string& help) {
-  static const Names<Polygonizer> kNames = {{"cubes", Polygonizer::Cubes}, {"tetrahedra", Polygonizer::Tetrahedra}};
+  static const Names<Polygonizer> kNames = {{"cubes", Polygonizer::Cubes},
+                                            {"tetrahedra", Polygonizer::Tetrahedra}};
   return addChoice(app, "--polygonizer", kNames, value, help);
 }
 
@@ -123,7 +126,8 @@ CLI::Option* addUnits(CLI::App& app, std::optional<Units>& value, const std::str
   return addChoice(app, "--units", kUnits, value, help);
 }
 
-CLI::Option* addSampleType(CLI::App& app, std::optional<SampleType>& value, const std::string& help) {
+CLI::Option* addSampleType(CLI::App& app, std::optional<SampleType>& value,
+                           const std::string& help) {
   static const Names<SampleType> kNames = {{"u8", SampleType::U8},   {"i8", SampleType::I8},
                                            {"u16", SampleType::U16}, {"i16", SampleType::I16},
                                            {"f32", SampleType::F32}, {"f64", SampleType::F64}};
@@ -134,7 +138,8 @@ CLI::Option* addSize(CLI::App& app, std::optional<ClaimedSize>& value, const std
   return addTriple(app, "--size", value, help);
 }
 
-CLI::Option* addSpacing(CLI::App& app, std::optional<std::array<double, 3>>& value, const std::string& help) {
+CLI::Option* addSpacing(CLI::App& app, std::optional<std::array<double, 3>>& value,
+                        const std::string& help) {
   return addTriple(app, "--spacing", value, help);
 }
 

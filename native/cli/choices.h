@@ -9,7 +9,8 @@
 #include "isostar/isostar.h"
 #include "volume/sample_buffer.h"
 
-// Options whose values are more than a number or a word. What makes no sense is refused while the line is parsed.
+// Options whose values are more than a number or a word. What makes no sense is refused while the
+// line is parsed.
 namespace isostar::native {
 
 /// Grid: grid steps along the smallest spacing. World: the file's own unit, after spacing.

@@ -38,7 +38,7 @@ struct Arguments {
 
 struct Surface {
   Mesh mesh;
-  std::optional<double> step;                // of its grid, in its own coordinates; a mesh file has none
+  std::optional<double> step;  // of its grid, in its own coordinates; a mesh file has none
   std::unique_ptr<TetrahedralField> source;  // of whose tetrahedra it is the isosurface
   bool trimmed = false;                      // ends where its domain does
 };
@@ -81,7 +81,8 @@ double unitOf(const Arguments& arguments, const std::array<Surface, 2>& surfaces
 }
 
 Json json(const Distance& distance, double unit) {
-  return {{"mean", distance.mean / unit}, {"rms", distance.rms / unit}, {"max", distance.max / unit}};
+  return {
+      {"mean", distance.mean / unit}, {"rms", distance.rms / unit}, {"max", distance.max / unit}};
 }
 
 Json json(const std::string& path, const Topology& topology) {
@@ -116,8 +117,8 @@ void printJson(const Arguments& arguments, const std::array<Topology, 2>& topolo
 }
 
 void printDistance(const char* which, const Distance& distance, double unit) {
-  std::cout << text("%-10s mean %-12.6g RMS %-12.6g max %.6g\n", which, distance.mean / unit, distance.rms / unit,
-                    distance.max / unit);
+  std::cout << text("%-10s mean %-12.6g RMS %-12.6g max %.6g\n", which, distance.mean / unit,
+                    distance.rms / unit, distance.max / unit);
 }
 
 void printTopology(const std::string& path, const Topology& t) {
@@ -125,17 +126,20 @@ void printTopology(const std::string& path, const Topology& t) {
   std::cout << text(
       "%s: %llu vertices, %llu triangles, %llu components, Euler characteristic %lld, genus %s, "
       "%llu boundary edges in %llu loops",
-      path.c_str(), static_cast<unsigned long long>(t.vertices), static_cast<unsigned long long>(t.triangles),
-      static_cast<unsigned long long>(t.components), static_cast<long long>(t.euler()),
-      genus ? std::to_string(*genus).c_str() : "undefined", static_cast<unsigned long long>(t.boundaryEdges),
+      path.c_str(), static_cast<unsigned long long>(t.vertices),
+      static_cast<unsigned long long>(t.triangles), static_cast<unsigned long long>(t.components),
+      static_cast<long long>(t.euler()), genus ? std::to_string(*genus).c_str() : "undefined",
+      static_cast<unsigned long long>(t.boundaryEdges),
       static_cast<unsigned long long>(t.boundaryLoops));
-  if (t.nonManifoldEdges) std::cout << ", " << t.nonManifoldEdges << " edges of more than two triangles";
+  if (t.nonManifoldEdges)
+    std::cout << ", " << t.nonManifoldEdges << " edges of more than two triangles";
   if (t.misorientedEdges) std::cout << ", " << t.misorientedEdges << " edges of opposed triangles";
   std::cout << "\n";
 }
 
 void run(const Arguments& arguments) {
-  const std::array<Surface, 2> surfaces = {load(arguments.paths[0], arguments), load(arguments.paths[1], arguments)};
+  const std::array<Surface, 2> surfaces = {load(arguments.paths[0], arguments),
+                                           load(arguments.paths[1], arguments)};
   Units units{};
   const double unit = unitOf(arguments, surfaces, units);
   const std::array<Topology, 2> topologies = {measure::topologyOf(surfaces[0].mesh),
@@ -147,7 +151,8 @@ void run(const Arguments& arguments) {
     std::cout << "no distance: a surface without triangles\n";
     return;
   }
-  std::cout << (units == Units::Grid ? "distance in grid steps\n" : "distance in the unit of the coordinates\n");
+  std::cout << (units == Units::Grid ? "distance in grid steps\n"
+                                     : "distance in the unit of the coordinates\n");
   printDistance("A to B", distance->aToB, unit);
   printDistance("B to A", distance->bToA, unit);
   printDistance("symmetric", distance->symmetric(), unit);
@@ -156,19 +161,28 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void addCompare(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("compare", "Tell how far two surfaces are apart, and what they are made of");
+  CLI::App& command = *app.add_subcommand(
+      "compare", "Tell how far two surfaces are apart, and what they are made of");
   const auto arguments = std::make_shared<Arguments>();
   command
       .add_option("a", arguments->paths[0],
-                  "A mesh (.ply, .obj, .stl, .glb), a stream, or tetrahedra (.vtu, .vtk), whose isosurface is taken, "
-                  "and of the other only what lies within their domain, unless it is a stream that ends there itself")
+                  "A mesh (.ply, .obj, .stl, .glb), a stream, or tetrahedra (.vtu, .vtk), whose "
+                  "isosurface is taken, "
+                  "and of the other only what lies within their domain, unless it is a stream that "
+                  "ends there itself")
       ->required();
   command.add_option("b", arguments->paths[1], "Another")->required();
-  command.add_option("--iso", arguments->options.isovalue, "The isovalue of tetrahedra, and of streams that hold several")->check(kFinite);
-  command.add_option("--scalar", arguments->scalar, "Which scalar of tetrahedra; else the marked or first")
+  command
+      .add_option("--iso", arguments->options.isovalue,
+                  "The isovalue of tetrahedra, and of streams that hold several")
+      ->check(kFinite);
+  command
+      .add_option("--scalar", arguments->scalar,
+                  "Which scalar of tetrahedra; else the marked or first")
       ->option_text("NAME");
   addPolygonizer(command, arguments->options.polygonizer, "How streams become meshes");
-  addFrame(command, arguments->options.frame, "Where streams lie: in the world, or sample (i,j,k) at (i,j,k)");
+  addFrame(command, arguments->options.frame,
+           "Where streams lie: in the world, or sample (i,j,k) at (i,j,k)");
   addUnits(command, arguments->units,
            "What distances count: grid steps (default with a stream) or the coordinates' unit");
   command.add_flag("--json", arguments->json, "Print JSON");

@@ -38,7 +38,8 @@ size_t endOfLevel(const StreamInfo& info, int level, size_t whole) {
   return whole;
 }
 
-/// Where the last layer ends that the isovalue asked for needs: further ones, told later, are of no use to it.
+/// Where the last layer ends that the isovalue asked for needs: further ones, told later, are of no
+/// use to it.
 size_t endOfIsovalue(const StreamInfo& info, double isovalue, size_t whole) {
   const auto& held = info.isovalues;
   const auto wanted = std::find(held.begin(), held.end(), isovalue) - held.begin();
@@ -50,7 +51,8 @@ size_t endOfIsovalue(const StreamInfo& info, double isovalue, size_t whole) {
 
 size_t prefixLength(const Arguments& arguments, std::span<const std::byte> stream) {
   if (arguments.bytes) return std::min<uint64_t>(*arguments.bytes, stream.size());
-  if (arguments.level) return endOfLevel(inspectStream(stream, arguments.input), *arguments.level, stream.size());
+  if (arguments.level)
+    return endOfLevel(inspectStream(stream, arguments.input), *arguments.level, stream.size());
   const StreamInfo info = inspectStream(stream, arguments.input);
   return endOfIsovalue(info, arguments.options.isovalue.value_or(info.isovalues[0]), stream.size());
 }
@@ -59,8 +61,8 @@ size_t prefixLength(const Arguments& arguments, std::span<const std::byte> strea
 void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, size_t held) {
   const bool asked = arguments.bytes || arguments.level;
   if (!asked && held < decoder.info().bytes)
-    warn(text("%s ends early, after %zu bytes; the surface is level %d of %d", arguments.input.c_str(), held,
-              decoder.level(), decoder.levels() - 1));
+    warn(text("%s ends early, after %zu bytes; the surface is level %d of %d",
+              arguments.input.c_str(), held, decoder.level(), decoder.levels() - 1));
 }
 
 bool isDrawing(const std::string& path) {
@@ -71,23 +73,29 @@ bool isDrawing(const std::string& path) {
 void requireFitting(const Arguments& arguments, const StreamInfo& info) {
   const bool image = info.dimension == 2;
   if (image != isDrawing(arguments.output))
-    throw Failure(arguments.input, image ? "holds an image's contours, which are written as .svg"
-                                         : "holds a surface, which is written as .ply, .obj, .stl or .glb");
+    throw Failure(arguments.input,
+                  image ? "holds an image's contours, which are written as .svg"
+                        : "holds a surface, which is written as .ply, .obj, .stl or .glb");
   if (!arguments.time) return;
   if (info.dimension != 4) throw Failure(arguments.input, "holds no sequence; --time is for one");
   if (*arguments.time < 0 || *arguments.time > info.frames - 1)
-    throw Failure(arguments.input, text("has frames 0 to %d; there is no time %g", info.frames - 1, *arguments.time));
+    throw Failure(arguments.input, text("has frames 0 to %d; there is no time %g", info.frames - 1,
+                                        *arguments.time));
 }
 
-std::string closingLine(const Arguments& arguments, const WorkReport& report, const Decoder& decoder) {
+std::string closingLine(const Arguments& arguments, const WorkReport& report,
+                        const Decoder& decoder) {
   std::error_code ignored;
   const uintmax_t written = std::filesystem::file_size(arguments.output, ignored);
   const std::string triangles =
-      decoder.info().dimension == 2 ? "" : text(" %llu triangles,", static_cast<unsigned long long>(report.triangles));
+      decoder.info().dimension == 2
+          ? ""
+          : text(" %llu triangles,", static_cast<unsigned long long>(report.triangles));
   return text("%s %s -> %s %s, %llu vertices,%s RMS error %.3g grid steps", arguments.input.c_str(),
               readableBytes(report.bytes).c_str(), arguments.output.c_str(),
-              ignored ? "" : readableBytes(written).c_str(), static_cast<unsigned long long>(report.vertices),
-              triangles.c_str(), decoder.rmsError());
+              ignored ? "" : readableBytes(written).c_str(),
+              static_cast<unsigned long long>(report.vertices), triangles.c_str(),
+              decoder.rmsError());
 }
 
 void writeSurface(const Arguments& arguments, const Decoder& decoder, WorkReport& report) {
@@ -101,7 +109,7 @@ void writeSurface(const Arguments& arguments, const Decoder& decoder, WorkReport
   writeMesh(mesh, arguments.output);
   report.io += writing.milliseconds();
   report.vertices = mesh.positions.size() / 3;
-  report.triangles = mesh.triangles.size() / 3;
+  report.triangles = mesh.indices.size() / 3;
 }
 
 void writeDrawing(const Arguments& arguments, const Decoder& decoder, WorkReport& report) {
@@ -119,7 +127,8 @@ void writeDrawing(const Arguments& arguments, const Decoder& decoder, WorkReport
 
 void run(const Arguments& arguments) {
   if (!isMeshFile(arguments.output) && !isDrawing(arguments.output))
-    throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb, or in .svg for an image", arguments.output.c_str()));
+    throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb, or in .svg for an image",
+                          arguments.output.c_str()));
   requireDifferent(arguments.input, arguments.output);
   requireWritable(arguments.output);
 
@@ -149,28 +158,40 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void addDecode(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("decode", "Make a mesh of a stream, or of the first part of one");
+  CLI::App& command =
+      *app.add_subcommand("decode", "Make a mesh of a stream, or of the first part of one");
   const auto arguments = std::make_shared<Arguments>();
-  command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")->required();
-  command.add_option("output", arguments->output, "The mesh to write: .ply, .obj, .stl or .glb; the drawing of an image's contours: .svg")->required();
+  command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")
+      ->required();
+  command
+      .add_option(
+          "output", arguments->output,
+          "The mesh to write: .ply, .obj, .stl or .glb; the drawing of an image's contours: .svg")
+      ->required();
   auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")
                     ->type_name("N")
                     ->check(CLI::NonNegativeNumber.description(""));
-  command.add_option("--level", arguments->level, "Stop before the first layer above level L, 0 being the coarsest")
+  command
+      .add_option("--level", arguments->level,
+                  "Stop before the first layer above level L, 0 being the coarsest")
       ->type_name("L")
       ->check(CLI::NonNegativeNumber.description(""))
       ->excludes(bytes);
   command
       .add_option("--iso", arguments->options.isovalue,
-                  "One of the stream's isovalues, or one between two of them, drawn from what is known; else the first")
+                  "One of the stream's isovalues, or one between two of them, drawn from what is "
+                  "known; else the first")
       ->check(kFinite)
       ->type_name("V");
-  command.add_option("--time", arguments->time, "When to cut a sequence of volumes, in frames from 0 [default: 0]")
+  command
+      .add_option("--time", arguments->time,
+                  "When to cut a sequence of volumes, in frames from 0 [default: 0]")
       ->check(kFinite)
       ->type_name("T");
   addPolygonizer(command, arguments->options.polygonizer,
                  "One vertex a crossing edge, or one polygon a crossing tetrahedron");
-  addFrame(command, arguments->options.frame, "Apply spacing, origin and direction, or put sample (i,j,k) at (i,j,k)");
+  addFrame(command, arguments->options.frame,
+           "Apply spacing, origin and direction, or put sample (i,j,k) at (i,j,k)");
   command.add_flag("--json", arguments->json, "Print sizes and times to standard output");
   command.callback([arguments] { run(*arguments); });
 }

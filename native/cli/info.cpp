@@ -30,7 +30,8 @@ struct Bits {
 Bits bitsOf(const StreamInfo& info, bool all) {
   Bits bits{.header = 8 * info.headerBytes};
   for (const LayerInfo& layer : info.layers)
-    if (all || layer.isovalue == 0) (layer.kind == "geometry" ? bits.geometry : bits.connectivity) += 8 * layer.bytes;
+    if (all || layer.isovalue == 0)
+      (layer.kind == "geometry" ? bits.geometry : bits.connectivity) += 8 * layer.bytes;
   return bits;
 }
 
@@ -67,7 +68,8 @@ void printJson(const StreamInfo& info, double unit) {
       {"maxError", info.maxError * unit},
       {"bytes", info.bytes},
       {"vertices", info.vertices},
-      {"bits", {{"connectivity", bits.connectivity}, {"geometry", bits.geometry}, {"header", bits.header}}},
+      {"bits",
+       {{"connectivity", bits.connectivity}, {"geometry", bits.geometry}, {"header", bits.header}}},
       {"layers", layers}};
   std::cout << json.dump(2) << "\n";
 }
@@ -82,21 +84,23 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
   const auto line = [](const char* what, const std::string& value) {
     std::cout << text("%-12s %s\n", what, value.c_str());
   };
-  line("stream", text("%s, %s, format %d", arguments.input.c_str(), readableBytes(info.bytes).c_str(), info.version));
+  line("stream", text("%s, %s, format %d", arguments.input.c_str(),
+                      readableBytes(info.bytes).c_str(), info.version));
   line("grid", info.dimension == 2   ? text("%d x %d, an image", info.size[0], info.size[1])
                : info.dimension == 4 ? triple(info.size) + text(", %d frames", info.frames)
                                      : triple(info.size));
   line("spacing", triple(placement.spacing));
   line("origin", text("%g, %g, %g", placement.origin[0], placement.origin[1], placement.origin[2]));
   const auto& d = placement.direction;
-  line("direction", text("%g %g %g, %g %g %g, %g %g %g", d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]));
+  line("direction",
+       text("%g %g %g, %g %g %g, %g %g %g", d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]));
   for (double isovalue : info.isovalues) line("isovalue", text("%.9g", isovalue));
   line("vertices", text("%llu", static_cast<unsigned long long>(info.vertices)));
-  line("error", info.lossless
-                    ? text("lossless, %s", nameOf(info.polygonizer))
-                    : text("at most %g %s, %s", info.maxError * unit,
-                           arguments.units == Units::World ? "world units" : "grid steps", nameOf(info.polygonizer)) +
-                          (info.adaptive ? ", adaptive" : ""));
+  line("error", info.lossless ? text("lossless, %s", nameOf(info.polygonizer))
+                              : text("at most %g %s, %s", info.maxError * unit,
+                                     arguments.units == Units::World ? "world units" : "grid steps",
+                                     nameOf(info.polygonizer)) +
+                                    (info.adaptive ? ", adaptive" : ""));
   if (info.effort > 1) line("effort", text("%d, which takes longer to decode", info.effort));
   if (info.trimmed) line("domain", "ends inside the grid, where the surface is trimmed");
   if (info.preservesTopology) line("topology", "the same on every layer");
@@ -107,17 +111,19 @@ void printBits(const StreamInfo& info) {
   const Bits bits = bitsOf(info, false);
   const double vertices = static_cast<double>(info.vertices);
   std::cout << text("%-12s connectivity %.3f, geometry %.3f, header %.3f bits a vertex\n", "bits",
-                    static_cast<double>(bits.connectivity) / vertices, static_cast<double>(bits.geometry) / vertices,
+                    static_cast<double>(bits.connectivity) / vertices,
+                    static_cast<double>(bits.geometry) / vertices,
                     static_cast<double>(bits.header) / vertices);
 }
 
 void printLayers(const StreamInfo& info, double unit) {
   const bool several = info.isovalues.size() > 1;
-  std::cout << text("\n%-12s %5s %12s %12s %12s%s\n", "layer", "level", "complete at", "bytes", "RMS error", several ? "     isovalue" : "");
+  std::cout << text("\n%-12s %5s %12s %12s %12s%s\n", "layer", "level", "complete at", "bytes",
+                    "RMS error", several ? "     isovalue" : "");
   for (const LayerInfo& layer : info.layers) {
     std::cout << text("%-12s %5d %12llu %12llu %12.4g", layer.kind.c_str(), layer.level,
-                      static_cast<unsigned long long>(layer.offset), static_cast<unsigned long long>(layer.bytes),
-                      layer.error * unit);
+                      static_cast<unsigned long long>(layer.offset),
+                      static_cast<unsigned long long>(layer.bytes), layer.error * unit);
     if (several) std::cout << text(" %12.9g", info.isovalues[static_cast<size_t>(layer.isovalue)]);
     std::cout << "\n";
   }
@@ -141,8 +147,10 @@ void run(const Arguments& arguments) {
 void addInfo(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("info", "Tell what a stream holds, layer by layer");
   const auto arguments = std::make_shared<Arguments>();
-  command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")->required();
-  addUnits(command, arguments->units, "What errors count: steps of the grid's smallest spacing, or the world's unit");
+  command.add_option("input", arguments->input, "The stream, IN.isostar; - for standard input")
+      ->required();
+  addUnits(command, arguments->units,
+           "What errors count: steps of the grid's smallest spacing, or the world's unit");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.callback([arguments] { run(*arguments); });
 }

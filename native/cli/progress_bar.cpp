@@ -14,7 +14,9 @@ constexpr int kWidth = 40;
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label)
-    : label_(std::move(label)), next_(Clock::now() + kPatience), terminal_(::isatty(STDERR_FILENO) != 0) {}
+    : label_(std::move(label)),
+      next_(Clock::now() + kPatience),
+      terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::fputs("\r\033[K", stderr);

@@ -5,7 +5,8 @@
 
 namespace isostar::native {
 
-/// A bar on standard error while work takes more than a second; silent in a pipe, gone when the work is done.
+/// A bar on standard error while work takes more than a second; silent in a pipe, gone when the
+/// work is done.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);

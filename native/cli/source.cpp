@@ -20,7 +20,8 @@ LoadedVolume readModel(const SourceRequest& request) {
   const std::string& path = request.volume.path;
   const Mesh mesh = readMesh(path);
   ProgressBar bar("measuring distances");
-  return modelVolume(mesh, path, request.grid.value_or(kModelGrid), [&bar](double done) { bar.show(done); });
+  return modelVolume(mesh, path, request.grid.value_or(kModelGrid),
+                     [&bar](double done) { bar.show(done); });
 }
 
 LoadedVolume readOnGrid(const SourceRequest& request) {
@@ -29,7 +30,8 @@ LoadedVolume readOnGrid(const SourceRequest& request) {
   const TetrahedralField field = readTetrahedralField(request);
   ProgressBar bar("sampling tetrahedra");
   return volumeOf(field, isosurfaceOf(field.mesh(), isovalue), isovalue, request.scalars,
-                  gridOver(field, isovalue, request.grid, path), [&bar](double done) { bar.show(done); })
+                  gridOver(field, isovalue, request.grid, path),
+                  [&bar](double done) { bar.show(done); })
       .volume;
 }
 
@@ -45,8 +47,10 @@ TetrahedralField readTetrahedralField(const SourceRequest& request) {
 
 void requireSense(const SourceRequest& request) {
   const VolumeRequest& volume = request.volume;
-  if (volume.size.has_value() != volume.type.has_value()) throw UsageFault("a raw volume needs both --size and --type");
-  const bool model = isModel(request), tetrahedra = hasTetrahedra(request), mesh = model || tetrahedra;
+  if (volume.size.has_value() != volume.type.has_value())
+    throw UsageFault("a raw volume needs both --size and --type");
+  const bool model = isModel(request), tetrahedra = hasTetrahedra(request),
+             mesh = model || tetrahedra;
   if (mesh && volume.spacing) throw UsageFault("--spacing is for volumes; a mesh takes --grid");
   if (!mesh && request.grid) throw UsageFault("--grid is for meshes; a volume has a grid");
   if (!tetrahedra && request.scalar) throw UsageFault("--scalar is for tetrahedral meshes");

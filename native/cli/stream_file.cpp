@@ -11,13 +11,15 @@
 namespace isostar::native {
 
 Limits nativeLimits() {
-  const auto memory = static_cast<uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+  const auto memory = static_cast<uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                      static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
   return {.samples = uint64_t{1} << 36, .vertices = uint64_t{1} << 31, .memory = memory / 4 * 3};
 }
 
 StreamInfo inspectStream(std::span<const std::byte> bytes, const std::string& path) {
   StreamInfo info;
-  if (const Error error = inspect(bytes, info); error != Error::None) throw Failure(path, describe(error));
+  if (const Error error = inspect(bytes, info); error != Error::None)
+    throw Failure(path, describe(error));
   return info;
 }
 
@@ -26,27 +28,31 @@ Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) 
   Decoder decoder(nativeLimits());
   decoder.accept(bytes);
   decoder.finish();
-  while (decoder.advance()) bar.show(static_cast<double>(decoder.bytes()) / static_cast<double>(bytes.size()));
+  while (decoder.advance())
+    bar.show(static_cast<double>(decoder.bytes()) / static_cast<double>(bytes.size()));
   const Error error = decoder.error();
   const bool prefix = decoder.ready() && error == Error::Truncated;
   if (error != Error::None && !prefix) throw Failure(path, describe(error));
   return decoder;
 }
 
-void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo& info, const std::string& path) {
+void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo& info,
+                     const std::string& path) {
   const auto& held = info.isovalues;
   if (!isovalue) return;
   const auto [least, most] = std::minmax_element(held.begin(), held.end());
   if (*isovalue >= *least && *isovalue <= *most) return;
   std::string list;
   for (const double each : held) list += text("%s%.10g", list.empty() ? "" : ", ", each);
-  throw Failure(path, text("does not hold isovalue %.10g; it holds %s%s", *isovalue, list.c_str(), held.size() > 1 ? " and what lies between" : ""));
+  throw Failure(path, text("does not hold isovalue %.10g; it holds %s%s", *isovalue, list.c_str(),
+                           held.size() > 1 ? " and what lies between" : ""));
 }
 
 Mesh surfaceOf(const Decoder& decoder, const MeshOptions& options, const std::string& path) {
   if (decoder.info().dimension == 2) throw Failure(path, "holds an image's contours, no surface");
   Mesh mesh;
-  if (const Error error = decoder.mesh(options, mesh); error != Error::None) throw Failure(path, describe(error));
+  if (const Error error = decoder.mesh(options, mesh); error != Error::None)
+    throw Failure(path, describe(error));
   return mesh;
 }
 

@@ -52,8 +52,11 @@ std::string describeUnknown(const CLI::App& command, const std::string& argument
       nearest = name;
     }
   }
-  const char* kind = option ? "unknown option" : command.get_parent() ? "one argument too many:" : "unknown command";
-  return text("%s %s", kind, word.c_str()) + (nearest.empty() ? "" : ", did you mean " + nearest + "?");
+  const char* kind = option                 ? "unknown option"
+                     : command.get_parent() ? "one argument too many:"
+                                            : "unknown command";
+  return text("%s %s", kind, word.c_str()) +
+         (nearest.empty() ? "" : ", did you mean " + nearest + "?");
 }
 
 }  // namespace isostar::native

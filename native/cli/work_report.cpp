@@ -18,7 +18,8 @@ void print(const WorkReport& report) {
       {"vertices", report.vertices},
       {"triangles", report.triangles},
       {"bytes", report.bytes},
-      {"milliseconds", {{report.work, report.codec}, {"polygonize", report.polygonize}, {"io", report.io}}},
+      {"milliseconds",
+       {{report.work, report.codec}, {"polygonize", report.polygonize}, {"io", report.io}}},
       {"peakMemory", report.peakMemory}};
   std::cout << json.dump() << "\n";
 }

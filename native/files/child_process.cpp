@@ -27,7 +27,8 @@ void silence() {
 
 }  // namespace
 
-Handover::Handover(std::string path) : path_(std::move(path)), file_(::memfd_create("handover", MFD_CLOEXEC)) {}
+Handover::Handover(std::string path)
+    : path_(std::move(path)), file_(::memfd_create("handover", MFD_CLOEXEC)) {}
 
 Handover::~Handover() {
   ::close(file_);
@@ -73,7 +74,8 @@ void Handover::rewind() {
   ::lseek(file_, 0, SEEK_SET);
 }
 
-// The first word tells whether the work was done. What a failed work had put before is behind its complaint's back.
+// The first word tells whether the work was done. What a failed work had put before is behind its
+// complaint's back.
 void runInChild(Handover& handover, const std::function<void(Handover&)>& work) {
   const pid_t child = ::fork();
   if (child == 0) {

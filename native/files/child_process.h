@@ -8,7 +8,8 @@
 
 namespace isostar::native {
 
-/// What a child process leaves to its parent: values in memory, taken in the order in which they were put.
+/// What a child process leaves to its parent: values in memory, taken in the order in which they
+/// were put.
 class Handover {
  public:
   explicit Handover(std::string path);  // of the file in work, for complaints
@@ -57,9 +58,9 @@ class Handover {
   int file_;
 };
 
-/// Does `work` in a child process, which puts what it found. The libraries for foreign formats assert, crash and print
-/// on damaged files, and a stranger's file must not take the command down: a child that dies, or a Failure in it,
-/// becomes a Failure here, and what it prints is not shown.
+/// Does `work` in a child process, which puts what it found. The libraries for foreign formats
+/// assert, crash and print on damaged files, and a stranger's file must not take the command down:
+/// a child that dies, or a Failure in it, becomes a Failure here, and what it prints is not shown.
 void runInChild(Handover&, const std::function<void(Handover&)>& work);
 
 }  // namespace isostar::native

@@ -9,7 +9,8 @@ namespace isostar::native {
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-  Failure(const std::string& file, const std::string& what) : std::runtime_error(file + ": " + what) {}
+  Failure(const std::string& file, const std::string& what)
+      : std::runtime_error(file + ": " + what) {}
 };
 
 /// The command line was at fault: exit status 2.

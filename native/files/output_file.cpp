@@ -56,7 +56,8 @@ OutputFile::OutputFile(std::string target) : target_(std::move(target)), resolve
   } else {
     resolved_ = resolve(target_);
     temporary_ = text("%s.%d.part", resolved_.c_str(), static_cast<int>(::getpid()));
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    descriptor_ =
+        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) keepMode(descriptor_, resolved_);
   }
   if (descriptor_ < 0) {
@@ -111,7 +112,8 @@ void requireWritable(const std::string& target) {
   const auto folder = folderOf(target);
   if (!std::filesystem::is_directory(folder, ignored))
     throw Failure(target, text("cannot be written: there is no folder %s", folder.c_str()));
-  if (std::filesystem::is_directory(target, ignored)) throw Failure(target, "cannot be written: it is a folder");
+  if (std::filesystem::is_directory(target, ignored))
+    throw Failure(target, "cannot be written: it is a folder");
   const bool exists = std::filesystem::exists(target, ignored);
   if (::access(exists ? target.c_str() : folder.c_str(), W_OK) != 0)
     throw Failure(target, text("cannot be written: %s", std::strerror(errno)));

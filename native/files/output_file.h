@@ -7,8 +7,9 @@
 
 namespace isostar::native {
 
-/// A file that appears whole or not at all: it is written beside the target and renamed by commit().
-/// A target that is no regular file ("-" for standard output, /dev/null, a pipe) is written directly.
+/// A file that appears whole or not at all: it is written beside the target and renamed by
+/// commit(). A target that is no regular file ("-" for standard output, /dev/null, a pipe) is
+/// written directly.
 class OutputFile {
  public:
   explicit OutputFile(std::string target);

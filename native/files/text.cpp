@@ -40,7 +40,8 @@ std::string oneLine(std::string words) {
 
 std::string extensionOf(const std::string& path) {
   std::string name = std::filesystem::path(path).filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   const std::string last = std::filesystem::path(name).extension().string();
   if (last != ".gz") return last;
   return std::filesystem::path(name).stem().extension().string() + last;

@@ -13,7 +13,8 @@ void inParallel(size_t tasks, const std::function<void(size_t)>& work) {
     for (size_t task; (task = next++) < tasks;) work(task);
   };
   std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::max(2u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(worker);
+  for (unsigned i = 1; i < std::max(2u, std::thread::hardware_concurrency()); ++i)
+    threads.emplace_back(worker);
   worker();
   for (std::thread& thread : threads) thread.join();
 }

@@ -52,12 +52,16 @@ std::vector<double> areasBefore(const TriangleTree& tree) {
 class Direction {
  public:
   Direction(const Measurable& from, const Measurable& to, size_t mostPoints)
-      : mesh_(from.mesh), tree_(from.tree), to_(to.tree), areas_(areasBefore(from.tree)), chunks_(kChunks) {
+      : mesh_(from.mesh),
+        tree_(from.tree),
+        to_(to.tree),
+        areas_(areasBefore(from.tree)),
+        chunks_(kChunks) {
     const size_t vertices = mesh_.positions.size() / 3;
     points_ = std::min(mostPoints, std::max(kFewestPoints, vertices));
     every_ = (vertices - 1) / mostPoints + 1;
     used_.resize(vertices);
-    for (uint32_t vertex : mesh_.triangles) used_[vertex] = 1;
+    for (uint32_t vertex : mesh_.indices) used_[vertex] = 1;
   }
 
   void measure(size_t chunk) {
@@ -77,8 +81,11 @@ class Direction {
 
   void measureVertices(size_t chunk) {
     uint32_t near = 0;
-    for (size_t v = boundary(used_.size(), chunk); v < boundary(used_.size(), chunk + 1); v += every_) {
-      if (used_[v]) chunks_[chunk].max = std::max(chunks_[chunk].max, to_.distance(vertexAt(mesh_.positions, v), near));
+    for (size_t v = boundary(used_.size(), chunk); v < boundary(used_.size(), chunk + 1);
+         v += every_) {
+      if (used_[v])
+        chunks_[chunk].max =
+            std::max(chunks_[chunk].max, to_.distance(vertexAt(mesh_.positions, v), near));
     }
   }
 
@@ -93,7 +100,9 @@ class Direction {
     for (size_t p = boundary(points_, chunk); p < boundary(points_, chunk + 1); ++p) {
       const double at = share * (static_cast<double>(p) + dice.roll());
       if (t == 0)
-        t = static_cast<size_t>(std::upper_bound(areas_.begin() + 1, areas_.end() - 1, at) - areas_.begin()) - 1;
+        t = static_cast<size_t>(std::upper_bound(areas_.begin() + 1, areas_.end() - 1, at) -
+                                areas_.begin()) -
+            1;
       while (t + 1 < tree_.size() && areas_[t + 1] <= at) ++t;
       const double distance = to_.distance(pointIn(tree_.triangle(t), dice), near);
       sums.add({distance, distance * distance, distance, 1});
@@ -119,19 +128,22 @@ class Direction {
 }  // namespace
 
 Distance SurfaceDistance::symmetric() const {
-  return {std::max(aToB.mean, bToA.mean), std::max(aToB.rms, bToA.rms), std::max(aToB.max, bToA.max)};
+  return {std::max(aToB.mean, bToA.mean), std::max(aToB.rms, bToA.rms),
+          std::max(aToB.max, bToA.max)};
 }
 
 Measurable::Measurable(const Mesh& measured) : mesh(measured), tree(measured) {}
 
 SurfaceDistance surfaceDistance(const Measurable& a, const Measurable& b, size_t points) {
   Direction aToB(a, b, points), bToA(b, a, points);
-  inParallel(2 * kChunks, [&](size_t task) { task < kChunks ? aToB.measure(task) : bToA.measure(task - kChunks); });
+  inParallel(2 * kChunks, [&](size_t task) {
+    task < kChunks ? aToB.measure(task) : bToA.measure(task - kChunks);
+  });
   return {aToB.result(), bToA.result()};
 }
 
 std::optional<SurfaceDistance> surfaceDistance(const Mesh& a, const Mesh& b) {
-  if (a.triangles.empty() || b.triangles.empty()) return {};
+  if (a.indices.empty() || b.indices.empty()) return {};
   std::optional<Measurable> readyA, readyB;
   inParallel(2, [&](size_t which) { which == 0 ? readyA.emplace(a) : readyB.emplace(b); });
   return surfaceDistance(*readyA, *readyB, std::numeric_limits<size_t>::max());

@@ -23,7 +23,8 @@ class Groups {
 
 uint64_t countGroups(Groups& groups, const std::vector<uint8_t>& member) {
   uint64_t count = 0;
-  for (size_t v = 0; v < member.size(); ++v) count += member[v] && groups.of(static_cast<uint32_t>(v)) == v;
+  for (size_t v = 0; v < member.size(); ++v)
+    count += member[v] && groups.of(static_cast<uint32_t>(v)) == v;
   return count;
 }
 
@@ -34,7 +35,8 @@ struct Side {
   bool sameEdge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-/// All sides, those of one edge next to each other: counted into their lower vertex, then sorted within it.
+/// All sides, those of one edge next to each other: counted into their lower vertex, then sorted
+/// within it.
 std::vector<Side> sortedSides(const std::vector<Side>& sides, size_t vertices) {
   std::vector<uint64_t> start(vertices + 1);
   for (const Side& side : sides) ++start[side.low + size_t{1}];
@@ -43,16 +45,18 @@ std::vector<Side> sortedSides(const std::vector<Side>& sides, size_t vertices) {
   std::vector<uint64_t> next(start.begin(), start.end() - 1);
   for (const Side& side : sides) sorted[next[side.low]++] = side;
   for (size_t v = 0; v < vertices; ++v)
-    std::sort(sorted.begin() + static_cast<ptrdiff_t>(start[v]), sorted.begin() + static_cast<ptrdiff_t>(start[v + 1]),
+    std::sort(sorted.begin() + static_cast<ptrdiff_t>(start[v]),
+              sorted.begin() + static_cast<ptrdiff_t>(start[v + 1]),
               [](const Side& a, const Side& b) { return a.high < b.high; });
   return sorted;
 }
 
-std::vector<Side> sidesOf(const Mesh& mesh, Topology& topology, Groups& groups, std::vector<uint8_t>& used) {
+std::vector<Side> sidesOf(const Mesh& mesh, Topology& topology, Groups& groups,
+                          std::vector<uint8_t>& used) {
   std::vector<Side> sides;
-  sides.reserve(mesh.triangles.size());
-  for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-    const uint32_t corner[3] = {mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]};
+  sides.reserve(mesh.indices.size());
+  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const uint32_t corner[3] = {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]};
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
     ++topology.triangles;
     groups.join(corner[0], corner[1]);
@@ -85,7 +89,8 @@ void countEdges(const std::vector<Side>& sides, size_t vertices, Topology& topol
 }  // namespace
 
 std::optional<int64_t> Topology::genus() const {
-  const int64_t doubled = 2 * static_cast<int64_t>(components) - euler() - static_cast<int64_t>(boundaryLoops);
+  const int64_t doubled =
+      2 * static_cast<int64_t>(components) - euler() - static_cast<int64_t>(boundaryLoops);
   if (nonManifoldEdges > 0 || misorientedEdges > 0 || doubled < 0 || doubled % 2 != 0) return {};
   return doubled / 2;
 }

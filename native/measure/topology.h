@@ -7,7 +7,8 @@
 
 namespace isostar::measure {
 
-/// What a mesh is made of. Vertices without a triangle do not count, nor do triangles that name a vertex twice.
+/// What a mesh is made of. Vertices without a triangle do not count, nor do triangles that name a
+/// vertex twice.
 struct Topology {
   uint64_t vertices = 0, edges = 0, triangles = 0;
   uint64_t components = 0;
@@ -17,11 +18,12 @@ struct Topology {
   uint64_t misorientedEdges = 0;  // whose two triangles run along it the same way
 
   int64_t euler() const {
-    return static_cast<int64_t>(vertices) - static_cast<int64_t>(edges) + static_cast<int64_t>(triangles);
+    return static_cast<int64_t>(vertices) - static_cast<int64_t>(edges) +
+           static_cast<int64_t>(triangles);
   }
 
-  /// Handles of all components together, each boundary closed by a disk; nothing where the mesh is no oriented
-  /// manifold.
+  /// Handles of all components together, each boundary closed by a disk; nothing where the mesh is
+  /// no oriented manifold.
   std::optional<int64_t> genus() const;
 };
 

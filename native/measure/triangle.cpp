@@ -6,7 +6,8 @@
 namespace isostar::measure {
 namespace {
 
-constexpr double kFlat = 1e-14;  // of the sides' squares: such a triangle has no inside that rounding leaves intact
+constexpr double kFlat =
+    1e-14;  // of the sides' squares: such a triangle has no inside that rounding leaves intact
 
 Vector3 offsetFromSegment(const Vector3& point, const Vector3& from, const Vector3& to) {
   const Vector3 along = to - from, offset = point - from;
@@ -15,8 +16,8 @@ Vector3 offsetFromSegment(const Vector3& point, const Vector3& from, const Vecto
   return offset - t * along;
 }
 
-// Which corner, edge or inside is nearest shows in the point's products with two edges (Ericson, Real-Time Collision
-// Detection, 5.1.5).
+// Which corner, edge or inside is nearest shows in the point's products with two edges (Ericson,
+// Real-Time Collision Detection, 5.1.5).
 inline Vector3 offsetFrom(const Vector3& point, const Triangle& t) {
   const Vector3 ab = t.b - t.a, ac = t.c - t.a;
   const Vector3 pa = point - t.a, pb = point - t.b, pc = point - t.c;
@@ -31,13 +32,16 @@ inline Vector3 offsetFrom(const Vector3& point, const Triangle& t) {
   const double b = abC * acA - abA * acC;
   if (b <= 0 && acA >= 0 && acC <= 0 && acA > acC) return pa - acA / (acA - acC) * ac;
   const double a = abB * acC - abC * acB, alongB = acB - abB, alongC = abC - acC;
-  if (a <= 0 && alongB >= 0 && alongC >= 0 && alongB + alongC > 0) return pb - alongB / (alongB + alongC) * (t.c - t.b);
+  if (a <= 0 && alongB >= 0 && alongC >= 0 && alongB + alongC > 0)
+    return pb - alongB / (alongB + alongC) * (t.c - t.b);
   const double sum = a + b + c;
   if (sum > kFlat * squared(ab) * squared(ac)) return pa - b / sum * ab - c / sum * ac;
-  const std::array<Vector3, 3> offsets = {offsetFromSegment(point, t.a, t.b), offsetFromSegment(point, t.b, t.c),
+  const std::array<Vector3, 3> offsets = {offsetFromSegment(point, t.a, t.b),
+                                          offsetFromSegment(point, t.b, t.c),
                                           offsetFromSegment(point, t.c, t.a)};
-  return *std::min_element(offsets.begin(), offsets.end(),
-                           [](const Vector3& one, const Vector3& other) { return squared(one) < squared(other); });
+  return *std::min_element(
+      offsets.begin(), offsets.end(),
+      [](const Vector3& one, const Vector3& other) { return squared(one) < squared(other); });
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ uint64_t spread(uint64_t bits) {
 
 }  // namespace
 
-inline TriangleTree::Lanes TriangleTree::Fan::squaredDistances(const std::array<float, 3>& point) const {
+inline TriangleTree::Lanes TriangleTree::Fan::squaredDistances(
+    const std::array<float, 3>& point) const {
   Lanes sums{};
   for (size_t axis = 0; axis < 3; ++axis) {
     const Lanes below = low[axis] - point[axis], above = point[axis] - high[axis];
@@ -33,10 +34,11 @@ inline TriangleTree::Lanes TriangleTree::Fan::squaredDistances(const std::array<
   return sums;
 }
 
-TriangleTree::TriangleTree(const Mesh& mesh) : triangles_(mesh.triangles.size() / 3) {
+TriangleTree::TriangleTree(const Mesh& mesh) : triangles_(mesh.indices.size() / 3) {
   for (size_t t = 0; t < triangles_.size(); ++t) {
     for (size_t corner = 0; corner < 3; ++corner)
-      std::copy_n(&mesh.positions[3 * size_t{mesh.triangles[3 * t + corner]}], 3, &triangles_[t][3 * corner]);
+      std::copy_n(&mesh.positions[3 * size_t{mesh.indices[3 * t + corner]}], 3,
+                  &triangles_[t][3 * corner]);
   }
   sortAlongCurve();
   buildFans();
@@ -48,7 +50,9 @@ Triangle TriangleTree::triangle(size_t place) const {
 }
 
 void TriangleTree::sortAlongCurve() {
-  const auto centre = [](const Corners& c, size_t axis) { return double{c[axis]} + c[axis + 3] + c[axis + 6]; };
+  const auto centre = [](const Corners& c, size_t axis) {
+    return double{c[axis]} + c[axis + 3] + c[axis + 6];
+  };
   std::array<double, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
   for (const Corners& corners : triangles_) {
     for (size_t axis = 0; axis < 3; ++axis) {
@@ -70,7 +74,8 @@ void TriangleTree::sortAlongCurve() {
     }
     order[t] = {key, static_cast<uint32_t>(t)};
   }
-  std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+  std::sort(order.begin(), order.end(),
+            [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
   std::vector<Corners> sorted(triangles_.size());
   order_.resize(order.size());
   for (size_t t = 0; t < order.size(); ++t) {
@@ -112,7 +117,8 @@ void TriangleTree::buildFans() {
     Fan& parent = fans_[(node - 1) / kFan];
     for (size_t axis = 0; axis < 3; ++axis) {
       const float reach = std::max(std::abs(box.low[axis]), std::abs(box.high[axis]));
-      const float rounding = reach < kFar ? kRounding * reach : 0;  // an empty run is infinitely far and stays there
+      const float rounding =
+          reach < kFar ? kRounding * reach : 0;  // an empty run is infinitely far and stays there
       parent.low[axis][(node - 1) % kFan] = box.low[axis] - rounding;
       parent.high[axis][(node - 1) % kFan] = box.high[axis] + rounding;
     }
@@ -153,7 +159,8 @@ double TriangleTree::distance(const Vector3& point, uint32_t& near) const {
       const Waiting next{kFan * at.node + 1 + child, distances[child]};
       if (next.distance >= best) continue;
       size_t place = count++;
-      for (; place > first && waiting[place - 1].distance < next.distance; --place) waiting[place] = waiting[place - 1];
+      for (; place > first && waiting[place - 1].distance < next.distance; --place)
+        waiting[place] = waiting[place - 1];
       waiting[place] = next;
     }
   }

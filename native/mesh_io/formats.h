@@ -7,7 +7,8 @@
 #include "files/output_file.h"
 #include "isostar/isostar.h"
 
-// One pair a format, chosen by readMesh() and writeMesh(). Readers get the whole file; `path` is for their complaints.
+// One pair a format, chosen by readMesh() and writeMesh(). Readers get the whole file; `path` is
+// for their complaints.
 namespace isostar::native {
 
 void writePly(const Mesh&, OutputFile&);

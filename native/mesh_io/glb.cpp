@@ -19,7 +19,7 @@ class Scene {
   explicit Scene(const Mesh& mesh) {
     json_ = {{"asset", {{"version", "2.0"}, {"generator", "isostar"}}}, {"scene", 0}};
     // glTF knows no empty accessor: an empty surface is a scene without nodes.
-    if (mesh.triangles.empty()) {
+    if (mesh.indices.empty()) {
       json_["scenes"] = Json::array({Json::object()});
       return;
     }
@@ -27,11 +27,13 @@ class Scene {
     json_["nodes"] = Json::array({{{"mesh", 0}}});
     Json primitive{{"attributes", {{"POSITION", addVectors(mesh.positions)}}}, {"material", 0}};
     if (!mesh.normals.empty()) primitive["attributes"]["NORMAL"] = addVectors(mesh.normals);
-    primitive["indices"] = add(mesh.triangles.data(), mesh.triangles.size() * 4, kElementArrayBuffer,
-                               {{"componentType", kUnsignedInt}, {"count", mesh.triangles.size()}, {"type", "SCALAR"}});
+    primitive["indices"] =
+        add(mesh.indices.data(), mesh.indices.size() * 4, kElementArrayBuffer,
+            {{"componentType", kUnsignedInt}, {"count", mesh.indices.size()}, {"type", "SCALAR"}});
     json_["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
     // A surface that leaves the box is open there, and its inside is seen.
-    json_["materials"] = Json::array({{{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}}});
+    json_["materials"] =
+        Json::array({{{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}}});
     json_["buffers"] = Json::array({{{"byteLength", length_}}});
   }
 
@@ -39,7 +41,8 @@ class Scene {
     std::string json = json_.dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
     const uint64_t total = 12 + 8 + json.size() + (length_ > 0 ? 8 + length_ : 0);
-    if (total > UINT32_MAX) throw Failure(file.target(), "the surface is too large for GLB, which ends at 4 GB");
+    if (total > UINT32_MAX)
+      throw Failure(file.target(), "the surface is too large for GLB, which ends at 4 GB");
     writeWords(file, {0x46546C67, 2, static_cast<uint32_t>(total)});
     writeWords(file, {static_cast<uint32_t>(json.size()), kJsonChunk});
     file.write(json.data(), json.size());
@@ -55,7 +58,8 @@ class Scene {
 
   size_t add(const void* bytes, size_t count, int target, Json accessor) {
     const size_t index = pieces_.size();
-    json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", length_}, {"byteLength", count}, {"target", target}});
+    json_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", length_}, {"byteLength", count}, {"target", target}});
     accessor["bufferView"] = index;
     json_["accessors"].push_back(std::move(accessor));
     pieces_.push_back({bytes, count});
@@ -71,9 +75,12 @@ class Scene {
       low[i % 3] = std::min(low[i % 3], numbers[i]);
       high[i % 3] = std::max(high[i % 3], numbers[i]);
     }
-    return add(
-        numbers.data(), numbers.size() * 4, kArrayBuffer,
-        {{"componentType", kFloat}, {"count", numbers.size() / 3}, {"type", "VEC3"}, {"min", low}, {"max", high}});
+    return add(numbers.data(), numbers.size() * 4, kArrayBuffer,
+               {{"componentType", kFloat},
+                {"count", numbers.size() / 3},
+                {"type", "VEC3"},
+                {"min", low},
+                {"max", high}});
   }
 
   Json json_;

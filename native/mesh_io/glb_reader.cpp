@@ -26,7 +26,8 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-/// A node's own transformation: a matrix, or translation, rotation (a quaternion x, y, z, w) and scale.
+/// A node's own transformation: a matrix, or translation, rotation (a quaternion x, y, z, w) and
+/// scale.
 Matrix transformOf(const Json& node) {
   if (node.contains("matrix")) return node.at("matrix").get<Matrix>();
   const auto t = node.value("translation", std::array<double, 3>{0, 0, 0});
@@ -62,7 +63,8 @@ class SceneReader {
       std::array<uint32_t, 2> chunk{};
       if (!copy(file, at, chunk) || chunk[0] > file.size() - at - 8) fail("is cut short");
       const auto bytes = file.subspan(at + 8, chunk[0]);
-      if (chunk[1] == kJsonChunk) words = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+      if (chunk[1] == kJsonChunk)
+        words = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
       if (chunk[1] == kBinaryChunk) binary_ = bytes;
       at += 8 + size_t{chunk[0]};
     }
@@ -73,7 +75,8 @@ class SceneReader {
     if (json_.contains("extensionsRequired")) {
       for (const Json& each : json_.at("extensionsRequired")) {
         const auto name = each.get<std::string>();
-        if (name.find("compression") != std::string::npos) fail("is compressed by " + name + ", which is not read");
+        if (name.find("compression") != std::string::npos)
+          fail("is compressed by " + name + ", which is not read");
       }
     }
     const Json scenes = json_.value("scenes", Json::array());
@@ -81,7 +84,8 @@ class SceneReader {
     for (const Json& node : scenes.at(json_.value("scene", 0)).value("nodes", Json::array()))
       waiting_.push_back({node.get<size_t>(), kIdentity});
     for (size_t visited = 0; !waiting_.empty(); ++visited) {
-      if (visited == json_.at("nodes").size()) fail("is damaged: a node is part of itself, or of two others");
+      if (visited == json_.at("nodes").size())
+        fail("is damaged: a node is part of itself, or of two others");
       const auto [index, above] = waiting_.back();
       waiting_.pop_back();
       visit(json_.at("nodes").at(index), above);
@@ -109,7 +113,8 @@ class SceneReader {
     for (const Json& child : node.value("children", Json::array()))
       waiting_.push_back({child.get<size_t>(), placement});
     if (!node.contains("mesh")) return;
-    for (const Json& primitive : json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives")) {
+    for (const Json& primitive :
+         json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives")) {
       if (primitive.value("mode", kTriangles) == kTriangles) add(primitive, placement);
     }
   }
@@ -117,24 +122,28 @@ class SceneReader {
   /// An accessor whose bytes are all there.
   Accessor accessor(size_t index, const char* shape, size_t width) const {
     const Json& json = json_.at("accessors").at(index);
-    if (json.contains("sparse") || !json.contains("bufferView")) fail("has a sparse accessor, which is not read");
+    if (json.contains("sparse") || !json.contains("bufferView"))
+      fail("has a sparse accessor, which is not read");
     const Json& view = json_.at("bufferViews").at(json.at("bufferView").get<size_t>());
-    const auto start = view.value("byteOffset", size_t{0}), length = view.at("byteLength").get<size_t>();
+    const auto start = view.value("byteOffset", size_t{0}),
+               length = view.at("byteLength").get<size_t>();
     Accessor found{json.value("byteOffset", size_t{0}), view.value("byteStride", size_t{0}),
                    json.at("count").get<size_t>(), json.at("componentType").get<int>()};
     const size_t each = width * (found.type == kByte ? 1 : found.type == kShort ? 2 : 4);
     if (found.stride == 0) found.stride = each;
-    const bool fits = view.value("buffer", 0) == 0 && start <= binary_.size() && length <= binary_.size() - start &&
-                      found.offset <= length && found.stride >= each &&
-                      (found.count == 0 || (length - found.offset >= each &&
-                                            (length - found.offset - each) / found.stride >= found.count - 1));
+    const bool fits =
+        view.value("buffer", 0) == 0 && start <= binary_.size() &&
+        length <= binary_.size() - start && found.offset <= length && found.stride >= each &&
+        (found.count == 0 || (length - found.offset >= each &&
+                              (length - found.offset - each) / found.stride >= found.count - 1));
     if (json.at("type") != shape || !fits) fail(text("is damaged: accessor %zu", index));
     found.offset += start;
     return found;
   }
 
   void add(const Json& primitive, const Matrix& m) {
-    const Accessor places = accessor(primitive.at("attributes").at("POSITION").get<size_t>(), "VEC3", 3);
+    const Accessor places =
+        accessor(primitive.at("attributes").at("POSITION").get<size_t>(), "VEC3", 3);
     if (places.type != kFloat) fail("has positions that are no floats, which are not read");
     const size_t first = mesh_.positions.size() / 3;
     if (first + places.count > kMostVertices) fail("has too many vertices");
@@ -142,24 +151,27 @@ class SceneReader {
       std::array<float, 3> p{};
       copy(binary_, places.offset + v * places.stride, p);
       for (size_t row = 0; row < 3; ++row)
-        mesh_.positions.push_back(
-            static_cast<float>(m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row]));
+        mesh_.positions.push_back(static_cast<float>(m[row] * p[0] + m[4 + row] * p[1] +
+                                                     m[8 + row] * p[2] + m[12 + row]));
     }
     if (!primitive.contains("indices")) {
-      for (size_t v = 0; v < places.count / 3 * 3; ++v) mesh_.triangles.push_back(static_cast<uint32_t>(first + v));
+      for (size_t v = 0; v < places.count / 3 * 3; ++v)
+        mesh_.indices.push_back(static_cast<uint32_t>(first + v));
       return;
     }
     const Accessor indices = accessor(primitive.at("indices").get<size_t>(), "SCALAR", 1);
-    if (indices.type != kByte && indices.type != kShort && indices.type != kInt) fail("has indices of an unknown type");
-    if (mesh_.triangles.size() + indices.count > 6 * kMostVertices) fail("has too many triangles");
+    if (indices.type != kByte && indices.type != kShort && indices.type != kInt)
+      fail("has indices of an unknown type");
+    if (mesh_.indices.size() + indices.count > 6 * kMostVertices) fail("has too many triangles");
     for (size_t i = 0; i < indices.count / 3 * 3; ++i) {
       uint32_t vertex = 0;
       std::memcpy(&vertex, binary_.data() + indices.offset + i * indices.stride,
                   indices.type == kByte    ? 1
                   : indices.type == kShort ? 2
                                            : 4);
-      if (vertex >= places.count) fail(text("triangle %zu uses vertex %u of %zu", i / 3, vertex, places.count));
-      mesh_.triangles.push_back(static_cast<uint32_t>(first + vertex));
+      if (vertex >= places.count)
+        fail(text("triangle %zu uses vertex %u of %zu", i / 3, vertex, places.count));
+      mesh_.indices.push_back(static_cast<uint32_t>(first + vertex));
     }
   }
 

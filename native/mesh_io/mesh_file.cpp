@@ -29,11 +29,13 @@ const Format* formatOf(const std::string& path) {
 void requireSound(const Mesh& mesh, const std::string& path) {
   const size_t vertices = mesh.positions.size() / 3;
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!std::isfinite(mesh.positions[i])) throw Failure(path, text("vertex %zu is not finite", i / 3));
+    if (!std::isfinite(mesh.positions[i]))
+      throw Failure(path, text("vertex %zu is not finite", i / 3));
   }
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (mesh.triangles[i] >= vertices)
-      throw Failure(path, text("triangle %zu uses vertex %u of %zu", i / 3, mesh.triangles[i], vertices));
+  for (size_t i = 0; i < mesh.indices.size(); ++i) {
+    if (mesh.indices[i] >= vertices)
+      throw Failure(path,
+                    text("triangle %zu uses vertex %u of %zu", i / 3, mesh.indices[i], vertices));
   }
 }
 

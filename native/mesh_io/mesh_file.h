@@ -9,7 +9,8 @@ namespace isostar::native {
 /// Whether readMesh() and writeMesh() know the extension: .ply .obj .stl .glb.
 bool isMeshFile(const std::string& path);
 
-/// The file appears whole or not at all. Normals are written where the mesh has them and the format keeps them.
+/// The file appears whole or not at all. Normals are written where the mesh has them and the format
+/// keeps them.
 void writeMesh(const Mesh&, const std::string& path);
 
 /// Positions and triangles; polygons become fans, STL's corners at equal places one vertex,

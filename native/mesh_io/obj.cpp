@@ -65,7 +65,7 @@ void readFace(std::string_view line, Mesh& mesh, const std::string& path) {
   for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line), ++corners) {
     const uint32_t corner = cornerOf(word, vertices, path);
     if (corners == 0) first = corner;
-    if (corners >= 2) mesh.triangles.insert(mesh.triangles.end(), {first, previous, corner});
+    if (corners >= 2) mesh.indices.insert(mesh.indices.end(), {first, previous, corner});
     previous = corner;
   }
 }
@@ -79,14 +79,14 @@ void writeObj(const Mesh& mesh, OutputFile& file) {
   line.writeTo(file);
   writeVectors("v", mesh.positions, file);
   writeVectors("vn", mesh.normals, file);
-  for (size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     line.letters("f");
     for (size_t corner = 0; corner < 3; ++corner) {
       line.letters(" ");
-      line.number(mesh.triangles[i + corner] + uint64_t{1});
+      line.number(mesh.indices[i + corner] + uint64_t{1});
       if (!normals) continue;
       line.letters("//");
-      line.number(mesh.triangles[i + corner] + uint64_t{1});
+      line.number(mesh.indices[i + corner] + uint64_t{1});
     }
     line.writeTo(file);
   }

@@ -9,7 +9,8 @@
 #include "mesh_io/formats.h"
 #include "mesh_io/words.h"
 
-static_assert(std::endian::native == std::endian::little, "binary meshes are copied as they lie in memory");
+static_assert(std::endian::native == std::endian::little,
+              "binary meshes are copied as they lie in memory");
 
 namespace isostar::native {
 namespace {
@@ -104,7 +105,8 @@ class Reader {
     if (!parseNumber(nextWord(line), element.count)) fail("an element of its header has no count");
     // A record takes a byte at least, unless it has no properties at all.
     if (element.count > words_.left())
-      fail(text("claims %llu records, more than it has bytes", static_cast<unsigned long long>(element.count)));
+      fail(text("claims %llu records, more than it has bytes",
+                static_cast<unsigned long long>(element.count)));
     header_.elements.push_back(std::move(element));
   }
 
@@ -146,7 +148,8 @@ class Reader {
   double readValue(Type type) {
     if (header_.ascii) {
       double value;
-      if (!parseNumber(words_.word(), value)) fail("ends early, or has a word where a number is due");
+      if (!parseNumber(words_.word(), value))
+        fail("ends early, or has a word where a number is due");
       return value;
     }
     switch (type) {
@@ -183,7 +186,8 @@ class Reader {
     mesh.positions.reserve(3 * element.count);
     forEachRecord(element, [&](const Record& record) {
       for (int property : at)
-        mesh.positions.push_back(record[property].empty() ? 0 : static_cast<float>(record[property][0]));
+        mesh.positions.push_back(
+            record[property].empty() ? 0 : static_cast<float>(record[property][0]));
     });
   }
 
@@ -191,11 +195,11 @@ class Reader {
     int at = element.find("vertex_indices");
     if (at < 0) at = element.find("vertex_index");
     if (at < 0) fail("its faces have no vertex_indices");
-    mesh.triangles.reserve(3 * element.count);
+    mesh.indices.reserve(3 * element.count);
     forEachRecord(element, [&](const Record& record) {
       const auto& corners = record[at];
       for (size_t i = 2; i < corners.size(); ++i) {
-        for (size_t corner : {size_t{0}, i - 1, i}) mesh.triangles.push_back(index(corners[corner]));
+        for (size_t corner : {size_t{0}, i - 1, i}) mesh.indices.push_back(index(corners[corner]));
       }
     });
   }
@@ -213,13 +217,14 @@ class Reader {
 }  // namespace
 
 void writePly(const Mesh& mesh, OutputFile& file) {
-  const size_t vertices = mesh.positions.size() / 3, triangles = mesh.triangles.size() / 3;
+  const size_t vertices = mesh.positions.size() / 3, triangles = mesh.indices.size() / 3;
   const bool normals = !mesh.normals.empty();
   const std::string header = text(
       "ply\nformat binary_little_endian 1.0\ncomment isostar\nelement vertex %zu\n"
       "property float x\nproperty float y\nproperty float z\n%selement face %zu\n"
       "property list uchar int vertex_indices\nend_header\n",
-      vertices, normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", triangles);
+      vertices, normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "",
+      triangles);
   file.write(header.data(), header.size());
   for (size_t v = 0; v < vertices; ++v) {
     file.write(&mesh.positions[3 * v], 3 * sizeof(float));
@@ -227,7 +232,7 @@ void writePly(const Mesh& mesh, OutputFile& file) {
   }
   std::array<std::byte, 13> face{std::byte{3}};
   for (size_t t = 0; t < triangles; ++t) {
-    std::memcpy(&face[1], &mesh.triangles[3 * t], 12);
+    std::memcpy(&face[1], &mesh.indices[3 * t], 12);
     file.write(face.data(), face.size());
   }
 }

@@ -55,15 +55,16 @@ std::vector<Corner> readText(std::span<const std::byte> bytes, const std::string
 Mesh weld(const std::vector<Corner>& corners) {
   std::vector<uint32_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return corners[a] < corners[b]; });
+  std::sort(order.begin(), order.end(),
+            [&](uint32_t a, uint32_t b) { return corners[a] < corners[b]; });
   Mesh mesh;
-  mesh.triangles.resize(corners.size());
+  mesh.indices.resize(corners.size());
   const Corner* last = nullptr;
   for (uint32_t corner : order) {
     if (!last || *last != corners[corner])
       mesh.positions.insert(mesh.positions.end(), corners[corner].begin(), corners[corner].end());
     last = &corners[corner];
-    mesh.triangles[corner] = static_cast<uint32_t>(mesh.positions.size() / 3 - 1);
+    mesh.indices[corner] = static_cast<uint32_t>(mesh.positions.size() / 3 - 1);
   }
   return mesh;
 }
@@ -83,14 +84,15 @@ bool isText(std::span<const std::byte> bytes) {
 }  // namespace
 
 void writeStl(const Mesh& mesh, OutputFile& file) {
-  const auto triangles = static_cast<uint32_t>(mesh.triangles.size() / 3);
+  const auto triangles = static_cast<uint32_t>(mesh.indices.size() / 3);
   std::array<char, 80> title{"binary STL by isostar"};
   file.write(title.data(), title.size());
   file.write(&triangles, 4);
   std::array<std::byte, kRecord> record{};
   for (size_t t = 0; t < triangles; ++t) {
     std::array<Corner, 3> corners;
-    for (size_t c = 0; c < 3; ++c) std::memcpy(&corners[c], &mesh.positions[3 * size_t{mesh.triangles[3 * t + c]}], 12);
+    for (size_t c = 0; c < 3; ++c)
+      std::memcpy(&corners[c], &mesh.positions[3 * size_t{mesh.indices[3 * t + c]}], 12);
     const Corner normal = faceNormal(corners);
     std::memcpy(&record[0], &normal, 12);
     std::memcpy(&record[12], &corners, 36);

@@ -15,10 +15,12 @@ struct Point {
   double x = 0, y = 0;
 };
 
-/// The image's border, as a way around it: counter-clockwise where y points up, so that the image is on the left.
+/// The image's border, as a way around it: counter-clockwise where y points up, so that the image
+/// is on the left.
 class Border {
  public:
-  Border(const Point& first, const Point& last) : first_(first), width_(last.x - first.x), height_(last.y - first.y) {}
+  Border(const Point& first, const Point& last)
+      : first_(first), width_(last.x - first.x), height_(last.y - first.y) {}
 
   double length() const { return 2 * (width_ + height_); }
   /// How far along the nearest place of the border is.
@@ -36,12 +38,15 @@ class Border {
     for (const double lap : {0.0, length()}) {
       const double sides[] = {0, width_, width_ + height_, 2 * width_ + height_};
       for (int corner = 0; corner < 4; ++corner) {
-        if (lap + sides[corner] > from && lap + sides[corner] < to) passed.push_back(this->corner(corner));
+        if (lap + sides[corner] > from && lap + sides[corner] < to)
+          passed.push_back(this->corner(corner));
       }
     }
     return passed;
   }
-  Point corner(int n) const { return {first_.x + (n == 1 || n == 2 ? width_ : 0), first_.y + (n >= 2 ? height_ : 0)}; }
+  Point corner(int n) const {
+    return {first_.x + (n == 1 || n == 2 ? width_ : 0), first_.y + (n >= 2 ? height_ : 0)};
+  }
 
  private:
   Point first_;
@@ -50,7 +55,8 @@ class Border {
 
 class Drawing {
  public:
-  Drawing(const Contours& contours, const Point& first, const Point& last) : contours_(contours), border_(first, last) {}
+  Drawing(const Contours& contours, const Point& first, const Point& last)
+      : contours_(contours), border_(first, last) {}
 
   /// The contours as they are.
   std::string lines() const {
@@ -81,7 +87,8 @@ class Drawing {
       path += 'Z';
     }
     if (contours_.open == 0 && contours_.positiveCorner) {
-      for (int corner = 0; corner < 4; ++corner) appendPoint(path, corner == 0 ? 'M' : 'L', border_.corner(corner));
+      for (int corner = 0; corner < 4; ++corner)
+        appendPoint(path, corner == 0 ? 'M' : 'L', border_.corner(corner));
       path += 'Z';
     }
     return path;
@@ -93,7 +100,8 @@ class Drawing {
   Point first(size_t line) const { return point(contours_.starts[line]); }
   Point last(size_t line) const { return point(contours_.starts[line + 1] - 1); }
 
-  /// The open contour that begins where the positive side of the border ends that begins at the end of this one.
+  /// The open contour that begins where the positive side of the border ends that begins at the end
+  /// of this one.
   size_t nextAlongBorder(size_t line) const {
     const double from = border_.along(last(line));
     size_t next = line;
@@ -115,9 +123,12 @@ class Drawing {
     }
   }
   void appendCorners(std::string& path, size_t line, size_t next) const {
-    for (const Point& p : border_.corners(border_.along(last(line)), border_.along(first(next)))) appendPoint(path, 'L', p);
+    for (const Point& p : border_.corners(border_.along(last(line)), border_.along(first(next))))
+      appendPoint(path, 'L', p);
   }
-  static void appendPoint(std::string& path, char verb, const Point& p) { path += text("%c%.6g %.6g", verb, p.x, p.y); }
+  static void appendPoint(std::string& path, char verb, const Point& p) {
+    path += text("%c%.6g %.6g", verb, p.x, p.y);
+  }
 
   const Contours& contours_;
   Border border_;
@@ -125,18 +136,22 @@ class Drawing {
 
 }  // namespace
 
-void writeSvg(const Contours& contours, const StreamInfo& info, Frame frame, const std::string& path) {
+void writeSvg(const Contours& contours, const StreamInfo& info, Frame frame,
+              const std::string& path) {
   const bool world = frame == Frame::World;
   const auto& [origin, spacing, direction] = info.placement;
   const double unit = world ? std::min(spacing[0], spacing[1]) : 1;
   const Point first{world ? origin[0] : 0, world ? origin[1] : 0};
-  const Point last{first.x + (info.size[0] - 1) * (world ? spacing[0] : 1), first.y + (info.size[1] - 1) * (world ? spacing[1] : 1)};
+  const Point last{first.x + (info.size[0] - 1) * (world ? spacing[0] : 1),
+                   first.y + (info.size[1] - 1) * (world ? spacing[1] : 1)};
   const Drawing drawing(contours, first, last);
-  const std::string svg = text("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%.9g %.9g %.9g %.9g\">\n", first.x, first.y,
-                               last.x - first.x, last.y - first.y) +
-                          "<g fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n<path fill=\"#cfe3f7\" d=\"" + drawing.area() +
-                          text("\"/>\n<path fill=\"none\" stroke=\"#1f4e79\" stroke-width=\"%.3g\" d=\"", unit) + drawing.lines() +
-                          "\"/>\n</g>\n</svg>\n";
+  const std::string svg =
+      text("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%.9g %.9g %.9g %.9g\">\n", first.x,
+           first.y, last.x - first.x, last.y - first.y) +
+      "<g fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n<path fill=\"#cfe3f7\" d=\"" +
+      drawing.area() +
+      text("\"/>\n<path fill=\"none\" stroke=\"#1f4e79\" stroke-width=\"%.3g\" d=\"", unit) +
+      drawing.lines() + "\"/>\n</g>\n</svg>\n";
   OutputFile file(path);
   file.write(svg.data(), svg.size());
   file.commit();

@@ -34,7 +34,8 @@ bool parseNumber(std::string_view word, Number& number) {
 /// A file in memory read as lines, words or bytes; never past its end.
 class Words {
  public:
-  explicit Words(std::span<const std::byte> bytes) : rest_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
+  explicit Words(std::span<const std::byte> bytes)
+      : rest_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
 
   bool atEnd() const { return rest_.empty(); }
   size_t left() const { return rest_.size(); }

@@ -23,7 +23,9 @@ struct Block {
 
   int side(int axis) const { return high[axis] - low[axis]; }
   size_t count() const { return size_t(side(0)) * size_t(side(1)) * size_t(side(2)); }
-  int longestAxis() const { return side(0) >= side(1) && side(0) >= side(2) ? 0 : side(1) >= side(2) ? 1 : 2; }
+  int longestAxis() const {
+    return side(0) >= side(1) && side(0) >= side(2) ? 0 : side(1) >= side(2) ? 1 : 2;
+  }
   double radius() const { return 0.5 * std::hypot(side(0) - 1, side(1) - 1, side(2) - 1); }
 };
 
@@ -33,11 +35,13 @@ class Band {
   Band(const measure::TriangleTree& tree, const CubicGrid& grid, std::vector<float>& samples)
       : tree_(tree), grid_(grid), samples_(samples) {}
 
-  /// Distances change by no more than one a step: a block whose centre is far away is left out whole.
+  /// Distances change by no more than one a step: a block whose centre is far away is left out
+  /// whole.
   void fill(const Block& block, uint32_t& near) {
     if (block.count() <= kFewSamples) return fillEach(block, near);
-    const double centre = distance(0.5 * (block.low[0] + block.high[0] - 1), 0.5 * (block.low[1] + block.high[1] - 1),
-                                   0.5 * (block.low[2] + block.high[2] - 1), near);
+    const double centre =
+        distance(0.5 * (block.low[0] + block.high[0] - 1), 0.5 * (block.low[1] + block.high[1] - 1),
+                 0.5 * (block.low[2] + block.high[2] - 1), near);
     if (centre > (block.radius() + kBand) * kRounding) return;
     const int axis = block.longestAxis();
     Block first = block, second = block;
@@ -54,9 +58,11 @@ class Band {
   void fillEach(const Block& block, uint32_t& near) {
     for (int k = block.low[2]; k < block.high[2]; ++k) {
       for (int j = block.low[1]; j < block.high[1]; ++j) {
-        float* row = &samples_[(size_t(k) * size_t(grid_.size[1]) + size_t(j)) * size_t(grid_.size[0])];
+        float* row =
+            &samples_[(size_t(k) * size_t(grid_.size[1]) + size_t(j)) * size_t(grid_.size[0])];
         for (int i = block.low[0]; i < block.high[0]; ++i)
-          row[i] = std::copysign(std::min(kBand, static_cast<float>(distance(i, j, k, near))), row[i]);
+          row[i] =
+              std::copysign(std::min(kBand, static_cast<float>(distance(i, j, k, near))), row[i]);
       }
     }
   }
@@ -71,21 +77,24 @@ std::vector<Block> tasksOf(const Index& size) {
   for (int k = 0; k < size[2]; k += kTask)
     for (int j = 0; j < size[1]; j += kTask)
       for (int i = 0; i < size[0]; i += kTask)
-        tasks.push_back(
-            {{i, j, k}, {std::min(i + kTask, size[0]), std::min(j + kTask, size[1]), std::min(k + kTask, size[2])}});
+        tasks.push_back({{i, j, k},
+                         {std::min(i + kTask, size[0]), std::min(j + kTask, size[1]),
+                          std::min(k + kTask, size[2])}});
   return tasks;
 }
 
 std::vector<float> farSamples(const Mesh& mesh, const CubicGrid& grid) {
   const std::vector<uint8_t> inside = insideVotes(mesh, grid);
   std::vector<float> samples(inside.size());
-  std::transform(inside.begin(), inside.end(), samples.begin(), [](uint8_t in) { return in ? kBand : -kBand; });
+  std::transform(inside.begin(), inside.end(), samples.begin(),
+                 [](uint8_t in) { return in ? kBand : -kBand; });
   return samples;
 }
 
 }  // namespace
 
-std::vector<float> distanceField(const Mesh& mesh, const CubicGrid& grid, const std::function<void(double)>& progress) {
+std::vector<float> distanceField(const Mesh& mesh, const CubicGrid& grid,
+                                 const std::function<void(double)>& progress) {
   std::vector<float> samples = farSamples(mesh, grid);
   const measure::TriangleTree tree(mesh);
   const std::vector<Block> tasks = tasksOf(grid.size);

@@ -8,17 +8,19 @@ namespace {
 
 using Point = std::array<double, 3>;  // in grid steps; the ray's axis last
 
-/// The sheets met by all rays along one axis: 1 at the first sample behind a sheet, or behind any odd number of them.
+/// The sheets met by all rays along one axis: 1 at the first sample behind a sheet, or behind any
+/// odd number of them.
 class Rays {
  public:
-  Rays(const CubicGrid& grid, int axis) : grid_(grid), axes_{(axis + 1) % 3, (axis + 2) % 3, axis}, met_(grid.count()) {
+  Rays(const CubicGrid& grid, int axis)
+      : grid_(grid), axes_{(axis + 1) % 3, (axis + 2) % 3, axis}, met_(grid.count()) {
     strides_ = {1, size_t(grid.size[0]), size_t(grid.size[0]) * size_t(grid.size[1])};
   }
 
   void meet(const Mesh& mesh) {
-    for (size_t t = 0; t < mesh.triangles.size(); t += 3)
-      meet({pointOf(mesh, mesh.triangles[t]), pointOf(mesh, mesh.triangles[t + 1]),
-            pointOf(mesh, mesh.triangles[t + 2])});
+    for (size_t t = 0; t < mesh.indices.size(); t += 3)
+      meet({pointOf(mesh, mesh.indices[t]), pointOf(mesh, mesh.indices[t + 1]),
+            pointOf(mesh, mesh.indices[t + 2])});
   }
 
   void vote(std::vector<int8_t>& votes) const {
@@ -32,7 +34,8 @@ class Rays {
 
   int size(int i) const { return grid_.size[axes_[i]]; }
   size_t place(int u, int v, int w) const {
-    return size_t(u) * strides_[axes_[0]] + size_t(v) * strides_[axes_[1]] + size_t(w) * strides_[axes_[2]];
+    return size_t(u) * strides_[axes_[0]] + size_t(v) * strides_[axes_[1]] +
+           size_t(w) * strides_[axes_[2]];
   }
 
   Point pointOf(const Mesh& mesh, uint32_t vertex) const {
@@ -41,7 +44,8 @@ class Rays {
     return {steps[axes_[0]], steps[axes_[1]], steps[axes_[2]]};
   }
 
-  /// Where an edge meets the line of height v; both triangles beside the edge are told the same number.
+  /// Where an edge meets the line of height v; both triangles beside the edge are told the same
+  /// number.
   static double meeting(const Point& a, const Point& b, double v) {
     const bool swapped = b < a;
     const Point &p = swapped ? b : a, &q = swapped ? a : b;
@@ -71,7 +75,8 @@ class Rays {
 
   /// Where the ray meets the triangle's plane, kept within the triangle where the plane is steep.
   static double depth(const Triangle& t, double u, double v) {
-    const double bu = t[1][0] - t[0][0], bv = t[1][1] - t[0][1], cu = t[2][0] - t[0][0], cv = t[2][1] - t[0][1];
+    const double bu = t[1][0] - t[0][0], bv = t[1][1] - t[0][1], cu = t[2][0] - t[0][0],
+                 cv = t[2][1] - t[0][1];
     const double area = bu * cv - bv * cu;
     const auto [low, high] = std::minmax({t[0][2], t[1][2], t[2][2]});
     if (area == 0) return (low + high) / 2;
@@ -107,7 +112,8 @@ std::vector<uint8_t> insideVotes(const Mesh& mesh, const CubicGrid& grid) {
     rays.vote(votes);
   }
   std::vector<uint8_t> inside(votes.size());
-  std::transform(votes.begin(), votes.end(), inside.begin(), [](int8_t vote) { return uint8_t(vote > 0); });
+  std::transform(votes.begin(), votes.end(), inside.begin(),
+                 [](int8_t vote) { return uint8_t(vote > 0); });
   return inside;
 }
 

@@ -9,7 +9,8 @@ namespace isostar::native {
 namespace {
 
 /// Whether all samples of the cell around a point, and of the cells around that one, have one sign.
-bool isUniform(const measure::Vector3& point, const CubicGrid& grid, const std::vector<float>& samples) {
+bool isUniform(const measure::Vector3& point, const CubicGrid& grid,
+               const std::vector<float>& samples) {
   const measure::Vector3 offset = point - grid.low;
   std::array<int, 3> low, high;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -20,7 +21,8 @@ bool isUniform(const measure::Vector3& point, const CubicGrid& grid, const std::
   size_t positive = 0, count = 0;
   for (int k = low[2]; k <= high[2]; ++k) {
     for (int j = low[1]; j <= high[1]; ++j) {
-      const float* row = &samples[(size_t(k) * size_t(grid.size[1]) + size_t(j)) * size_t(grid.size[0])];
+      const float* row =
+          &samples[(size_t(k) * size_t(grid.size[1]) + size_t(j)) * size_t(grid.size[0])];
       for (int i = low[0]; i <= high[0]; ++i, ++count) positive += row[i] > 0;
     }
   }
@@ -31,8 +33,10 @@ bool isUniform(const measure::Vector3& point, const CubicGrid& grid, const std::
 
 double lostPart(const Mesh& mesh, const CubicGrid& grid, const std::vector<float>& samples) {
   double lost = 0, all = 0;
-  for (size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    const auto corner = [&](size_t c) { return measure::vertexAt(mesh.positions, mesh.triangles[t + c]); };
+  for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+    const auto corner = [&](size_t c) {
+      return measure::vertexAt(mesh.positions, mesh.indices[t + c]);
+    };
     const measure::Triangle triangle{corner(0), corner(1), corner(2)};
     const double area = triangle.area();
     all += area;

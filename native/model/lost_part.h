@@ -7,8 +7,8 @@
 
 namespace isostar::native {
 
-/// The part of the surface's area, 0 … 1, near which no two samples differ in sign: thinner than the grid shows. Judged
-/// by the middles of the triangles.
+/// The part of the surface's area, 0 … 1, near which no two samples differ in sign: thinner than
+/// the grid shows. Judged by the middles of the triangles.
 double lostPart(const Mesh&, const CubicGrid&, const std::vector<float>& samples);
 
 }  // namespace isostar::native

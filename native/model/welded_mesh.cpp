@@ -12,18 +12,21 @@ using Corners = std::array<uint32_t, 3>;
 
 Place placeOf(const Mesh& mesh, uint32_t vertex) {
   const float* p = &mesh.positions[3 * size_t{vertex}];
-  return {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};  // -0 becomes 0, so that equal places compare as equal bits do
+  return {p[0] + 0.0f, p[1] + 0.0f,
+          p[2] + 0.0f};  // -0 becomes 0, so that equal places compare as equal bits do
 }
 
-/// The first of all vertices at each vertex's place, as an index into the welded positions, which are appended to
-/// `out`.
+/// The first of all vertices at each vertex's place, as an index into the welded positions, which
+/// are appended to `out`.
 std::vector<uint32_t> weldVertices(const Mesh& mesh, std::vector<float>& out) {
   std::vector<uint32_t> order(mesh.positions.size() / 3), welded(order.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return placeOf(mesh, a) < placeOf(mesh, b); });
+  std::sort(order.begin(), order.end(),
+            [&](uint32_t a, uint32_t b) { return placeOf(mesh, a) < placeOf(mesh, b); });
   for (size_t i = 0; i < order.size(); ++i) {
     const Place place = placeOf(mesh, order[i]);
-    if (i == 0 || place != placeOf(mesh, order[i - 1])) out.insert(out.end(), place.begin(), place.end());
+    if (i == 0 || place != placeOf(mesh, order[i - 1]))
+      out.insert(out.end(), place.begin(), place.end());
     welded[order[i]] = static_cast<uint32_t>(out.size() / 3 - 1);
   }
   return welded;
@@ -35,19 +38,19 @@ WeldedMesh weld(const Mesh& mesh) {
   WeldedMesh result;
   const std::vector<uint32_t> welded = weldVertices(mesh, result.mesh.positions);
   std::vector<Corners> triangles;
-  for (size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
+  for (size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     Corners corners;
-    for (size_t c = 0; c < 3; ++c) corners[c] = welded[mesh.triangles[t + c]];
+    for (size_t c = 0; c < 3; ++c) corners[c] = welded[mesh.indices[t + c]];
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     triangles.push_back(corners);
   }
-  result.degenerate = mesh.triangles.size() / 3 - triangles.size();
+  result.degenerate = mesh.indices.size() / 3 - triangles.size();
   std::sort(triangles.begin(), triangles.end());
   const auto end = std::unique(triangles.begin(), triangles.end());
   result.doubled = static_cast<size_t>(triangles.end() - end);
   for (auto at = triangles.begin(); at != end; ++at)
-    result.mesh.triangles.insert(result.mesh.triangles.end(), at->begin(), at->end());
+    result.mesh.indices.insert(result.mesh.indices.end(), at->begin(), at->end());
   return result;
 }
 

@@ -9,19 +9,23 @@
 namespace isostar::native {
 namespace {
 
-constexpr double kBand = 8;      // smallest steps: more than a cell's diagonal on any grid of gridOver()
+constexpr double kBand =
+    8;  // smallest steps: more than a cell's diagonal on any grid of gridOver()
 constexpr double kLeast = 1e-4;  // smallest steps: a positive sample stays positive
 
-/// What a step counts, so that single-precision numbers beside the isovalue tell small parts of one, and none is too large or
-/// too small for them.
+/// What a step counts, so that single-precision numbers beside the isovalue tell small parts of
+/// one, and none is too large or too small for them.
 double unitBeside(double isovalue) {
-  return isovalue == 0 ? 1 : std::exp2(std::clamp(std::ceil(std::log2(std::abs(isovalue))), -100.0, 120.0));
+  return isovalue == 0
+             ? 1
+             : std::exp2(std::clamp(std::ceil(std::log2(std::abs(isovalue))), -100.0, 120.0));
 }
 
 }  // namespace
 
-void becomeDistances(const Mesh& isosurface, double isovalue, const SampleGrid& grid, std::vector<float>& samples) {
-  if (isosurface.triangles.empty()) return;
+void becomeDistances(const Mesh& isosurface, double isovalue, const SampleGrid& grid,
+                     std::vector<float>& samples) {
+  if (isosurface.indices.empty()) return;
   const RimmedSurface surface(isosurface);
   const double step = grid.smallestStep(), unit = unitBeside(isovalue);
   const auto layer = size_t(grid.size[0]) * size_t(grid.size[1]);
@@ -33,7 +37,8 @@ void becomeDistances(const Mesh& isosurface, double isovalue, const SampleGrid& 
       for (int i = 0; i < grid.size[0]; ++i, ++sample, known -= grid.steps.x / step) {
         double magnitude = kBand;
         if (known < kBand) {
-          const auto [toItself, continued] = surface.distance(grid.at(i, j, static_cast<double>(k)), near);
+          const auto [toItself, continued] =
+              surface.distance(grid.at(i, j, static_cast<double>(k)), near);
           known = toItself / step;
           magnitude = std::clamp(continued / step, kLeast, kBand);
         }

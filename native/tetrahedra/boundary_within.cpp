@@ -16,19 +16,22 @@ Mesh boundaryWithin(const SampleGrid& grid, const Mesh& boundary) {
     return {endOf(p.x, grid.size[0]), endOf(p.y, grid.size[1]), endOf(p.z, grid.size[2])};
   };
   Mesh within{boundary.positions, {}, {}};
-  for (size_t t = 0; t < boundary.triangles.size(); t += 3) {
-    const auto a = endsAt(boundary.triangles[t]), b = endsAt(boundary.triangles[t + 1]),
-               c = endsAt(boundary.triangles[t + 2]);
+  for (size_t t = 0; t < boundary.indices.size(); t += 3) {
+    const auto a = endsAt(boundary.indices[t]), b = endsAt(boundary.indices[t + 1]),
+               c = endsAt(boundary.indices[t + 2]);
     bool atEnd = false;
-    for (size_t axis = 0; axis < 3; ++axis) atEnd |= a[axis] != 0 && a[axis] == b[axis] && a[axis] == c[axis];
-    if (!atEnd) within.triangles.insert(within.triangles.end(), &boundary.triangles[t], &boundary.triangles[t] + 3);
+    for (size_t axis = 0; axis < 3; ++axis)
+      atEnd |= a[axis] != 0 && a[axis] == b[axis] && a[axis] == c[axis];
+    if (!atEnd)
+      within.indices.insert(within.indices.end(), &boundary.indices[t], &boundary.indices[t] + 3);
   }
   return within;
 }
 
 void seeThinAir(const TetrahedralField& field, const SampleGrid& grid, std::span<float> domain) {
   const double onBoundary = kOnBoundary * grid.smallestStep();
-  const std::array<size_t, 3> stride = {1, size_t(grid.size[0]), size_t(grid.size[0]) * size_t(grid.size[1])};
+  const std::array<size_t, 3> stride = {1, size_t(grid.size[0]),
+                                        size_t(grid.size[0]) * size_t(grid.size[1])};
   const auto isOnFace = [&](size_t sample) { return std::abs(domain[sample]) <= kOnBoundary; };
   uint32_t near = 0;
   size_t sample = 0;
@@ -40,7 +43,8 @@ void seeThinAir(const TetrahedralField& field, const SampleGrid& grid, std::span
         for (size_t axis = 0; axis < 3; ++axis) {
           const size_t next = sample + stride[axis];
           if (place[axis] + 1 == grid.size[axis] || !isOnFace(next)) continue;
-          const Vector3 middle = grid.at(i + 0.5 * (axis == 0), j + 0.5 * (axis == 1), k + 0.5 * (axis == 2));
+          const Vector3 middle =
+              grid.at(i + 0.5 * (axis == 0), j + 0.5 * (axis == 1), k + 0.5 * (axis == 2));
           if (field.domainDistance(middle, near) >= -onBoundary) continue;
           domain[sample] = domain[next] = -static_cast<float>(kOnBoundary);
         }

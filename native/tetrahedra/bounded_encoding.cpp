@@ -13,15 +13,17 @@ namespace isostar::native {
 namespace {
 
 constexpr double kMostSamples = 0x1p24;
-constexpr double kLeastFiner = 1.26, kMostFiner = 2;  // steps from grid to grid: two to eight times the samples
-constexpr double kSamplingPart = 0.9;                 // of the bound that samples may take
+constexpr double kLeastFiner = 1.26,
+                 kMostFiner = 2;       // steps from grid to grid: two to eight times the samples
+constexpr double kSamplingPart = 0.9;  // of the bound that samples may take
 constexpr double kTries[] = {0.4, 0.3, 0.2, 0.14, 0.1, 0.05};  // grid steps that the codec may take
 
 void require(Error error, const std::string& path) {
   if (error != Error::None) throw Failure(path, describe(error));
 }
 
-Mesh decodedSurface(const std::vector<std::byte>& stream, const EncodeOptions& options, const std::string& path) {
+Mesh decodedSurface(const std::vector<std::byte>& stream, const EncodeOptions& options,
+                    const std::string& path) {
   Decoder decoder;
   decoder.accept(stream);
   decoder.finish();
@@ -33,15 +35,16 @@ Mesh decodedSurface(const std::vector<std::byte>& stream, const EncodeOptions& o
   return mesh;
 }
 
-double distanceOf(const std::vector<std::byte>& stream, const Mesh& isosurface, const EncodeOptions& options,
-                  const std::string& path) {
+double distanceOf(const std::vector<std::byte>& stream, const Mesh& isosurface,
+                  const EncodeOptions& options, const std::string& path) {
   const auto distance = measure::surfaceDistance(decodedSurface(stream, options, path), isosurface);
   return distance ? distance->symmetric().max : 0;
 }
 
-/// Tells one grid's samples ever finer until the bound holds; the last try's stream where it does not.
-BoundedStream encodedWithin(double bound, LoadedVolume volume, const Mesh& isosurface, EncodeOptions options,
-                            const std::string& path) {
+/// Tells one grid's samples ever finer until the bound holds; the last try's stream where it does
+/// not.
+BoundedStream encodedWithin(double bound, LoadedVolume volume, const Mesh& isosurface,
+                            EncodeOptions options, const std::string& path) {
   BoundedStream result{{}, std::move(volume), 0};
   for (const double steps : kTries) {
     options.maxError = steps;
@@ -55,14 +58,17 @@ BoundedStream encodedWithin(double bound, LoadedVolume volume, const Mesh& isosu
 
 }  // namespace
 
-BoundedStream encodeWithin(double bound, const TetrahedralField& field, EncodeOptions options, const std::string& path,
-                           const std::function<void(double)>& progress) {
+BoundedStream encodeWithin(double bound, const TetrahedralField& field, EncodeOptions options,
+                           const std::string& path, const std::function<void(double)>& progress) {
   const Mesh isosurface = isosurfaceOf(field.mesh(), options.isovalue);
   BoundedStream nearest;
-  for (double step = suitableStep(field, options.isovalue); nearest.stream.empty() || nearest.distance > bound;) {
+  for (double step = suitableStep(field, options.isovalue);
+       nearest.stream.empty() || nearest.distance > bound;) {
     const SampleGrid grid = gridOfSteps(field, step, path);
-    TetrahedraVolume sampled = volumeOf(field, isosurface, options.isovalue, Scalars::Distances, grid, progress);
-    const double excess = sampled.distance ? sampled.distance->symmetric().max / (kSamplingPart * bound) : 0;
+    TetrahedraVolume sampled =
+        volumeOf(field, isosurface, options.isovalue, Scalars::Distances, grid, progress);
+    const double excess =
+        sampled.distance ? sampled.distance->symmetric().max / (kSamplingPart * bound) : 0;
     const double finer = std::clamp(std::sqrt(excess), kLeastFiner, kMostFiner);
     const bool isLast = static_cast<double>(grid.count()) * finer * finer * finer > kMostSamples;
     step /= finer;
@@ -73,7 +79,8 @@ BoundedStream encodeWithin(double bound, const TetrahedralField& field, EncodeOp
   }
   if (nearest.distance > bound)
     nearest.volume.remarks.push_back(
-        text("no grid of 2^24 samples holds the bound: the surface is up to %.3g from the tetrahedra's isosurface",
+        text("no grid of 2^24 samples holds the bound: the surface is up to %.3g from the "
+             "tetrahedra's isosurface",
              nearest.distance));
   return nearest;
 }

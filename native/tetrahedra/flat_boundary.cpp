@@ -17,7 +17,8 @@ std::array<double, 3> coordinates(const Vector3& p) {
 }
 
 void joinNeighbours(std::vector<FlatPart>& parts, double rounding) {
-  std::sort(parts.begin(), parts.end(), [](const FlatPart& a, const FlatPart& b) { return a.place < b.place; });
+  std::sort(parts.begin(), parts.end(),
+            [](const FlatPart& a, const FlatPart& b) { return a.place < b.place; });
   size_t kept = 0;
   for (size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].place - parts[kept].place <= rounding)
@@ -35,8 +36,10 @@ std::array<std::vector<FlatPart>, 3> flatParts(const Mesh& boundary) {
   double whole = 0, largest = 0;
   for (float x : boundary.positions) largest = std::max(largest, std::abs(double{x}));
   const double rounding = kRounding * largest;
-  for (size_t t = 0; t < boundary.triangles.size(); t += 3) {
-    const auto corner = [&](size_t c) { return measure::vertexAt(boundary.positions, boundary.triangles[t + c]); };
+  for (size_t t = 0; t < boundary.indices.size(); t += 3) {
+    const auto corner = [&](size_t c) {
+      return measure::vertexAt(boundary.positions, boundary.indices[t + c]);
+    };
     const double area = measure::Triangle{corner(0), corner(1), corner(2)}.area();
     const auto a = coordinates(corner(0)), b = coordinates(corner(1)), c = coordinates(corner(2));
     for (size_t axis = 0; axis < 3; ++axis) {

@@ -21,8 +21,8 @@ constexpr int kMostTimes = 2;            // as many steps as wanted
 constexpr double kMostUneven = 4;        // steps of a thin mesh against the others
 constexpr double kPrice = 0.2;           // twice the steps are worth a fifth of the boundary
 
-/// The median length of crossing edges, each counted by its length: where tetrahedra are small, more of them are needed
-/// for the same part of the surface.
+/// The median length of crossing edges, each counted by its length: where tetrahedra are small,
+/// more of them are needed for the same part of the surface.
 double medianEdgeNear(const TetrahedralMesh& mesh, double isovalue) {
   std::vector<double> lengths;
   for (const Corners4& corners : mesh.tetrahedra) {
@@ -43,7 +43,8 @@ double medianEdgeNear(const TetrahedralMesh& mesh, double isovalue) {
   return 0;
 }
 
-/// The part of the boundary that lies between planes of the grid or has another one on the same plane.
+/// The part of the boundary that lies between planes of the grid or has another one on the same
+/// plane.
 double missed(const std::vector<FlatPart>& parts, double low, double step) {
   double sum = 0;
   for (size_t i = 0; i < parts.size(); ++i) {
@@ -55,7 +56,8 @@ double missed(const std::vector<FlatPart>& parts, double low, double step) {
   return sum;
 }
 
-/// At least as many steps as wanted, and more where that brings flat parts of the boundary to planes of the grid.
+/// At least as many steps as wanted, and more where that brings flat parts of the boundary to
+/// planes of the grid.
 int stepsAlong(const std::vector<FlatPart>& parts, double low, double extent, int wanted) {
   double best = INFINITY;
   int chosen = wanted;
@@ -82,7 +84,8 @@ Box boxAround(const std::vector<Vector3>& points) {
 }
 
 /// `isFixed` keeps the longest axis at as many steps as there must be.
-SampleGrid fitted(const TetrahedralField& field, const Box& box, double step, bool isFixed, const std::string& path) {
+SampleGrid fitted(const TetrahedralField& field, const Box& box, double step, bool isFixed,
+                  const std::string& path) {
   const auto parts = flatParts(field.boundary().mesh);
   std::array<int, 3> count{};
   std::array<double, 3> length{};
@@ -92,22 +95,25 @@ SampleGrid fitted(const TetrahedralField& field, const Box& box, double step, bo
       throw Failure(path, "a grid that fine is too large; at most 2^31 samples can be encoded");
     const bool isLongest = extent == box.longest();
     count[axis] = static_cast<int>(wanted);
-    if (!isFixed || !isLongest) count[axis] = stepsAlong(parts[axis], box.low[axis], extent, count[axis]);
+    if (!isFixed || !isLongest)
+      count[axis] = stepsAlong(parts[axis], box.low[axis], extent, count[axis]);
     length[axis] = std::max(extent / count[axis], step / kMostUneven);
   }
   const SampleGrid grid{{box.low[0], box.low[1], box.low[2]},
                         {length[0], length[1], length[2]},
                         {count[0] + 1, count[1] + 1, count[2] + 1}};
   if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMostSamples)
-    throw Failure(path, text("a grid of %d x %d x %d samples is too large; at most 2^31 can be encoded", grid.size[0],
-                             grid.size[1], grid.size[2]));
+    throw Failure(path,
+                  text("a grid of %d x %d x %d samples is too large; at most 2^31 can be encoded",
+                       grid.size[0], grid.size[1], grid.size[2]));
   return grid;
 }
 
 }  // namespace
 
 double suitableStep(const TetrahedralField& field, double isovalue) {
-  const double edge = medianEdgeNear(field.mesh(), isovalue), longest = boxAround(field.mesh().points).longest();
+  const double edge = medianEdgeNear(field.mesh(), isovalue),
+               longest = boxAround(field.mesh().points).longest();
   const double wanted = edge > 0 ? kStepsAnEdge * longest / edge : kFewestSteps;
   return longest / std::clamp<double>(std::ceil(wanted), kFewestSteps, kMostChosenSteps);
 }

@@ -8,8 +8,8 @@ namespace {
 
 using measure::Vector3;
 
-/// For each set of positive corners, these first (a lone negative one before them), in an order that keeps the
-/// orientation.
+/// For each set of positive corners, these first (a lone negative one before them), in an order
+/// that keeps the orientation.
 constexpr std::array<std::array<uint8_t, 4>, 16> kPositiveFirst = {{{0, 1, 2, 3},
                                                                     {0, 1, 2, 3},
                                                                     {1, 0, 3, 2},
@@ -56,7 +56,8 @@ class Surface {
 
   uint32_t on(uint32_t a, uint32_t b) {
     if (a > b) std::swap(a, b);
-    const auto [found, isNew] = vertices_.try_emplace(uint64_t{a} << 32 | b, uint32_t(surface_.positions.size() / 3));
+    const auto [found, isNew] =
+        vertices_.try_emplace(uint64_t{a} << 32 | b, uint32_t(surface_.positions.size() / 3));
     if (isNew) {
       const double t = (isovalue_ - mesh_.values[a]) / (double{mesh_.values[b]} - mesh_.values[a]);
       const Vector3 p = mesh_.points[a] + t * (mesh_.points[b] - mesh_.points[a]);
@@ -65,7 +66,9 @@ class Surface {
     return found->second;
   }
 
-  void add(uint32_t a, uint32_t b, uint32_t c) { surface_.triangles.insert(surface_.triangles.end(), {a, b, c}); }
+  void add(uint32_t a, uint32_t b, uint32_t c) {
+    surface_.indices.insert(surface_.indices.end(), {a, b, c});
+  }
 
   const TetrahedralMesh& mesh_;
   double isovalue_;

@@ -13,7 +13,8 @@ namespace {
 
 using measure::Vector3;
 
-constexpr double kFlat = 1e-12;  // of the longest edge's cube: barycentric coordinates would be rounding
+constexpr double kFlat =
+    1e-12;  // of the longest edge's cube: barycentric coordinates would be rounding
 
 std::vector<bool> pointsInUse(const TetrahedralMesh& mesh) {
   std::vector<bool> used(mesh.points.size());
@@ -22,7 +23,8 @@ std::vector<bool> pointsInUse(const TetrahedralMesh& mesh) {
   return used;
 }
 
-void requireFinite(const TetrahedralMesh& mesh, const std::vector<bool>& used, const std::string& path) {
+void requireFinite(const TetrahedralMesh& mesh, const std::vector<bool>& used,
+                   const std::string& path) {
   size_t bad = 0, first = 0;
   for (size_t i = mesh.points.size(); i-- > 0;) {
     const Vector3& p = mesh.points[i];
@@ -34,7 +36,8 @@ void requireFinite(const TetrahedralMesh& mesh, const std::vector<bool>& used, c
     ++bad;
   }
   if (bad > 0)
-    throw Failure(path, text("not finite: %zu of %zu scalars, the first at point %zu", bad, mesh.values.size(), first));
+    throw Failure(path, text("not finite: %zu of %zu scalars, the first at point %zu", bad,
+                             mesh.values.size(), first));
 }
 
 /// Points in use, those of equal place and value as one.
@@ -48,7 +51,8 @@ void joinPoints(TetrahedralMesh& mesh, const std::vector<bool>& used) {
     if (used[i]) order.push_back(i);
   std::sort(order.begin(), order.end(),
             [&](uint32_t a, uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
-  // Each group's first point stands for it; places are given in the file's order, in which neighbours lie together.
+  // Each group's first point stands for it; places are given in the file's order, in which
+  // neighbours lie together.
   std::vector<uint32_t> first(mesh.points.size());
   for (size_t i = 0; i < order.size(); ++i)
     first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
@@ -67,14 +71,17 @@ void joinPoints(TetrahedralMesh& mesh, const std::vector<bool>& used) {
 
 /// Six times the volume over the longest edge's cube, with its sign; 0 for a point.
 double fullness(const TetrahedralMesh& mesh, const Corners4& c) {
-  const Vector3 &a = mesh.points[c[0]], &b = mesh.points[c[1]], &d = mesh.points[c[2]], &e = mesh.points[c[3]];
+  const Vector3 &a = mesh.points[c[0]], &b = mesh.points[c[1]], &d = mesh.points[c[2]],
+                &e = mesh.points[c[3]];
   double longest = 0;
-  for (const Vector3& edge : {b - a, d - a, e - a, d - b, e - b, e - d}) longest = std::max(longest, squared(edge));
+  for (const Vector3& edge : {b - a, d - a, e - a, d - b, e - b, e - d})
+    longest = std::max(longest, squared(edge));
   return longest > 0 ? dot(cross(b - a, d - a), e - a) / (longest * std::sqrt(longest)) : 0;
 }
 
 size_t dropFlat(TetrahedralMesh& mesh) {
-  return std::erase_if(mesh.tetrahedra, [&](const Corners4& c) { return std::abs(fullness(mesh, c)) < kFlat; });
+  return std::erase_if(mesh.tetrahedra,
+                       [&](const Corners4& c) { return std::abs(fullness(mesh, c)) < kFlat; });
 }
 
 /// Turns all to positive volume; returns how many were of the rarer orientation.
@@ -96,10 +103,12 @@ size_t dropDoubled(TetrahedralMesh& mesh) {
   };
   std::vector<uint32_t> order(mesh.tetrahedra.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](uint32_t a, uint32_t b) { return std::pair(sorted(a), a) < std::pair(sorted(b), b); });
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    return std::pair(sorted(a), a) < std::pair(sorted(b), b);
+  });
   std::vector<bool> doubled(order.size());
-  for (size_t i = 1; i < order.size(); ++i) doubled[order[i]] = sorted(order[i]) == sorted(order[i - 1]);
+  for (size_t i = 1; i < order.size(); ++i)
+    doubled[order[i]] = sorted(order[i]) == sorted(order[i - 1]);
   size_t kept = 0;
   for (size_t t = 0; t < doubled.size(); ++t)
     if (!doubled[t]) mesh.tetrahedra[kept++] = mesh.tetrahedra[t];
@@ -115,7 +124,8 @@ void mend(TetrahedralMesh& mesh, const std::string& path) {
   const auto remark = [&mesh](size_t count, const char* what) {
     if (count > 0) mesh.remarks.push_back(text("%s: %zu", what, count));
   };
-  remark(static_cast<size_t>(std::count(used.begin(), used.end(), false)), "points of no tetrahedron, left out");
+  remark(static_cast<size_t>(std::count(used.begin(), used.end(), false)),
+         "points of no tetrahedron, left out");
   joinPoints(mesh, used);
   remark(dropFlat(mesh), "tetrahedra without a volume, left out");
   remark(dropDoubled(mesh), "doubled tetrahedra, left out");

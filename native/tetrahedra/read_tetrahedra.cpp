@@ -17,7 +17,8 @@ bool holdsUnstructuredGrid(const std::string& path) {
   std::string head(2048, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<size_t>(file.gcount()));
-  std::transform(head.begin(), head.end(), head.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  std::transform(head.begin(), head.end(), head.begin(),
+                 [](unsigned char c) { return char(std::toupper(c)); });
   return head.find("UNSTRUCTURED_GRID") != std::string::npos;
 }
 

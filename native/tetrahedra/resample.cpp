@@ -13,7 +13,8 @@ namespace {
 
 using measure::Vector3;
 
-constexpr double kReach = 2;  // grid steps beyond the domain: cells there share a sample with cells inside
+constexpr double kReach =
+    2;  // grid steps beyond the domain: cells there share a sample with cells inside
 
 /// Guesses for the next sample: see TriangleTree.
 struct Nearest {
@@ -62,27 +63,32 @@ void fillInside(const TetrahedralMesh& mesh, const SampleGrid& grid, std::vector
     }
     const Vector3 from = grid.inSteps(low), to = grid.inSteps(high);
     const auto first = [](double x) { return std::max(0, static_cast<int>(std::ceil(x - 1e-6))); };
-    const auto last = [](double x, int size) { return std::min(size - 1, static_cast<int>(std::floor(x + 1e-6))); };
+    const auto last = [](double x, int size) {
+      return std::min(size - 1, static_cast<int>(std::floor(x + 1e-6)));
+    };
     const Tetrahedron tetrahedron(mesh, corners);
     for (int k = first(from.z); k <= last(to.z, grid.size[2]); ++k) {
       for (int j = first(from.y); j <= last(to.y, grid.size[1]); ++j) {
         const Row row(tetrahedron, grid, j, k);
         double begin = from.x, end = to.x;
         row.narrow(begin, end);
-        float* out = &samples[(size_t(k) * size_t(grid.size[1]) + size_t(j)) * size_t(grid.size[0])];
-        for (int i = first(begin); i <= last(end, grid.size[0]); ++i) out[i] = static_cast<float>(row.value(i));
+        float* out =
+            &samples[(size_t(k) * size_t(grid.size[1]) + size_t(j)) * size_t(grid.size[0])];
+        for (int i = first(begin); i <= last(end, grid.size[0]); ++i)
+          out[i] = static_cast<float>(row.value(i));
       }
     }
   }
 }
 
 /// A row's samples beyond the domain, and the distances of all to where it ends within the grid.
-void finishRow(const TetrahedralField& field, const measure::TriangleTree& ends, const SampleGrid& grid, int j, int k,
-               ResampledField& out, Nearest& near) {
+void finishRow(const TetrahedralField& field, const measure::TriangleTree& ends,
+               const SampleGrid& grid, int j, int k, ResampledField& out, Nearest& near) {
   const size_t row = (size_t(k) * size_t(grid.size[1]) + size_t(j)) * size_t(grid.size[0]);
   const double unit = grid.smallestStep();
   const double reach = kReach * std::max({grid.steps.x, grid.steps.y, grid.steps.z});
-  double known = 0;  // no less than this far from the boundary, in steps; it shrinks from sample to sample
+  double known =
+      0;  // no less than this far from the boundary, in steps; it shrinks from sample to sample
   for (int i = 0; i < grid.size[0]; ++i, known -= grid.steps.x / unit) {
     const Vector3 place = grid.at(i, j, k);
     float& sample = out.samples[row + size_t(i)];
@@ -105,13 +111,14 @@ ResampledField resample(const TetrahedralField& field, const SampleGrid& grid,
   const Mesh boundary = boundaryWithin(grid, field.boundary().mesh);
   const measure::TriangleTree ends(boundary);
   ResampledField out{std::vector<float>(grid.count(), NAN), {}};
-  if (!boundary.triangles.empty()) out.domain.resize(grid.count());
+  if (!boundary.indices.empty()) out.domain.resize(grid.count());
   fillInside(field.mesh(), grid, out.samples);
   std::mutex telling;
   int done = 0;
   measure::inParallel(static_cast<size_t>(grid.size[2]), [&](size_t k) {
     Nearest near;
-    for (int j = 0; j < grid.size[1]; ++j) finishRow(field, ends, grid, j, static_cast<int>(k), out, near);
+    for (int j = 0; j < grid.size[1]; ++j)
+      finishRow(field, ends, grid, j, static_cast<int>(k), out, near);
     const std::lock_guard lock(telling);
     progress(static_cast<double>(++done) / grid.size[2]);
   });

@@ -14,7 +14,7 @@ constexpr double kOnEdge = 1e-6;  // of an edge's length: coordinates are single
 
 uint64_t edgeAfter(const Mesh& mesh, size_t corner) {
   const size_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
-  const auto [low, high] = std::minmax(mesh.triangles[corner], mesh.triangles[next]);
+  const auto [low, high] = std::minmax(mesh.indices[corner], mesh.indices[next]);
   return uint64_t{low} << 32 | high;
 }
 
@@ -29,11 +29,12 @@ bool isOnRim(const Vector3& point, const Triangle& t, uint8_t rims) {
 
 }  // namespace
 
-RimmedSurface::RimmedSurface(const Mesh& mesh) : tree_(mesh), rims_(mesh.triangles.size() / 3) {
+RimmedSurface::RimmedSurface(const Mesh& mesh) : tree_(mesh), rims_(mesh.indices.size() / 3) {
   std::unordered_map<uint64_t, int> uses;
-  for (size_t corner = 0; corner < mesh.triangles.size(); ++corner) ++uses[edgeAfter(mesh, corner)];
-  for (size_t corner = 0; corner < mesh.triangles.size(); ++corner) {
-    if (uses[edgeAfter(mesh, corner)] == 1) rims_[corner / 3] |= static_cast<uint8_t>(1 << corner % 3);
+  for (size_t corner = 0; corner < mesh.indices.size(); ++corner) ++uses[edgeAfter(mesh, corner)];
+  for (size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+    if (uses[edgeAfter(mesh, corner)] == 1)
+      rims_[corner / 3] |= static_cast<uint8_t>(1 << corner % 3);
   }
 }
 
@@ -43,7 +44,8 @@ RimmedSurface::Distance RimmedSurface::distance(const Vector3& point, uint32_t& 
   const Vector3 nearest = nearestPoint(point, triangle),
                 normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
   const double length = std::sqrt(squared(normal));
-  if (length == 0 || !isOnRim(nearest, triangle, rims_[tree_.index(near)])) return {toItself, toItself};
+  if (length == 0 || !isOnRim(nearest, triangle, rims_[tree_.index(near)]))
+    return {toItself, toItself};
   return {toItself, std::abs(dot(normal, point - nearest)) / length};
 }
 

@@ -6,14 +6,16 @@
 
 namespace isostar::native {
 
-/// A surface that goes on in its triangles' planes beyond its rim, for distances. The mesh must have triangles.
+/// A surface that goes on in its triangles' planes beyond its rim, for distances. The mesh must
+/// have triangles.
 class RimmedSurface {
  public:
   explicit RimmedSurface(const Mesh&);
 
   struct Distance {
     double toItself = 0;   // to the surface as it is
-    double continued = 0;  // where the nearest point is on the rim, to the plane of the triangle there; else the same
+    double continued = 0;  // where the nearest point is on the rim, to the plane of the triangle
+                           // there; else the same
   };
 
   /// `near` is TriangleTree's.
@@ -21,7 +23,8 @@ class RimmedSurface {
 
  private:
   measure::TriangleTree tree_;
-  std::vector<uint8_t> rims_;  // by triangle of the mesh: bit i for an edge after corner i that no other triangle has
+  std::vector<uint8_t> rims_;  // by triangle of the mesh: bit i for an edge after corner i that no
+                               // other triangle has
 };
 
 }  // namespace isostar::native

@@ -8,7 +8,8 @@
 
 namespace isostar::native {
 
-/// A grid along the world's axes, evenly spaced on each: sample (i,j,k), x fastest, lies at `low + steps ∘ (i,j,k)`.
+/// A grid along the world's axes, evenly spaced on each: sample (i,j,k), x fastest, lies at `low +
+/// steps ∘ (i,j,k)`.
 struct SampleGrid {
   measure::Vector3 low, steps;
   std::array<int32_t, 3> size{};

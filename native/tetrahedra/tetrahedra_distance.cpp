@@ -4,7 +4,8 @@
 
 namespace isostar::native {
 
-std::optional<measure::SurfaceDistance> distanceToTetrahedra(const Mesh& surface, const TetrahedralField& field,
+std::optional<measure::SurfaceDistance> distanceToTetrahedra(const Mesh& surface,
+                                                             const TetrahedralField& field,
                                                              const Mesh& isosurface) {
   const auto there = measure::surfaceDistance(trimmed(surface, field), isosurface);
   const auto back = measure::surfaceDistance(isosurface, surface);

@@ -13,14 +13,16 @@ void remarkOnSampling(TetrahedraVolume& result, double step) {
   const auto& size = result.volume.size;
   const measure::Distance distance = result.distance->symmetric();
   result.volume.remarks.push_back(
-      text("sampled at %d x %d x %d points, up to %.2g grid steps from the tetrahedra's isosurface (RMS %.2g)", size[0],
-           size[1], size[2], distance.max / step, distance.rms / step));
+      text("sampled at %d x %d x %d points, up to %.2g grid steps from the tetrahedra's isosurface "
+           "(RMS %.2g)",
+           size[0], size[1], size[2], distance.max / step, distance.rms / step));
 }
 
 }  // namespace
 
-TetrahedraVolume volumeOf(const TetrahedralField& field, const Mesh& isosurface, double isovalue, Scalars scalars,
-                          const SampleGrid& grid, const std::function<void(double)>& progress) {
+TetrahedraVolume volumeOf(const TetrahedralField& field, const Mesh& isosurface, double isovalue,
+                          Scalars scalars, const SampleGrid& grid,
+                          const std::function<void(double)>& progress) {
   TetrahedraVolume result;
   ResampledField sampled = resample(field, grid, progress);
   LoadedVolume& volume = result.volume;

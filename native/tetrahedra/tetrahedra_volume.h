@@ -10,19 +10,19 @@
 
 namespace isostar::native {
 
-/// Tetrahedra as a volume, and how far marching cubes' surface of it is from their own isosurface (§1), in the mesh's
-/// unit; nothing where either has no triangle.
+/// Tetrahedra as a volume, and how far marching cubes' surface of it is from their own isosurface
+/// (§1), in the mesh's unit; nothing where either has no triangle.
 struct TetrahedraVolume {
   LoadedVolume volume;  // its remarks are the mesh's
   std::optional<measure::SurfaceDistance> distance;
 };
 
-/// What samples tell: the field, at all isovalues, or one isosurface alone, better and in fewer bytes (see
-/// becomeDistances).
+/// What samples tell: the field, at all isovalues, or one isosurface alone, better and in fewer
+/// bytes (see becomeDistances).
 enum class Scalars : uint8_t { Field, Distances };
 
 /// `isosurface` is isosurfaceOf() the mesh.
-TetrahedraVolume volumeOf(const TetrahedralField&, const Mesh& isosurface, double isovalue, Scalars, const SampleGrid&,
-                          const std::function<void(double)>& progress);
+TetrahedraVolume volumeOf(const TetrahedralField&, const Mesh& isosurface, double isovalue, Scalars,
+                          const SampleGrid&, const std::function<void(double)>& progress);
 
 }  // namespace isostar::native

@@ -10,8 +10,12 @@ namespace isostar::native {
 using measure::Vector3;
 
 TetrahedralField::TetrahedralField(TetrahedralMesh mesh)
-    : mesh_(std::move(mesh)), tree_(mesh_), boundary_(boundaryOf(mesh_, tree_)), faces_(boundary_.mesh) {
-  if (boundary_.hangingNodes > 0) mesh_.remarks.push_back(text("hanging nodes: %zu", boundary_.hangingNodes));
+    : mesh_(std::move(mesh)),
+      tree_(mesh_),
+      boundary_(boundaryOf(mesh_, tree_)),
+      faces_(boundary_.mesh) {
+  if (boundary_.hangingNodes > 0)
+    mesh_.remarks.push_back(text("hanging nodes: %zu", boundary_.hangingNodes));
 }
 
 std::optional<double> TetrahedralField::value(const Vector3& point) const {

@@ -12,7 +12,8 @@ namespace isostar::native {
 /// A tetrahedron by its points.
 using Corners4 = std::array<uint32_t, 4>;
 
-/// Irregular data (§1): a scalar at each point of a tetrahedral mesh, linear within each tetrahedron.
+/// Irregular data (§1): a scalar at each point of a tetrahedral mesh, linear within each
+/// tetrahedron.
 struct TetrahedralMesh {
   std::vector<measure::Vector3> points;
   std::vector<float> values;  // one a point

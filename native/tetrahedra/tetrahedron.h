@@ -6,7 +6,8 @@
 
 namespace isostar::native {
 
-/// A point's barycentric coordinates in a tetrahedron: each corner's share, together 1, none below 0 inside.
+/// A point's barycentric coordinates in a tetrahedron: each corner's share, together 1, none below
+/// 0 inside.
 struct Shares {
   std::array<double, 4> share;
   double least() const { return *std::min_element(share.begin(), share.end()); }
@@ -17,7 +18,8 @@ class Tetrahedron {
  public:
   Tetrahedron(const TetrahedralMesh& mesh, const Corners4& corners)
       : a_(mesh.points[corners[0]]),
-        values_{mesh.values[corners[0]], mesh.values[corners[1]], mesh.values[corners[2]], mesh.values[corners[3]]} {
+        values_{mesh.values[corners[0]], mesh.values[corners[1]], mesh.values[corners[2]],
+                mesh.values[corners[3]]} {
     const measure::Vector3 b = mesh.points[corners[1]] - a_, c = mesh.points[corners[2]] - a_,
                            d = mesh.points[corners[3]] - a_;
     const double inverse = 1 / dot(cross(b, c), d);
@@ -26,7 +28,8 @@ class Tetrahedron {
 
   Shares shares(const measure::Vector3& point) const {
     const measure::Vector3 offset = point - a_;
-    const double b = dot(slopes_[0], offset), c = dot(slopes_[1], offset), d = dot(slopes_[2], offset);
+    const double b = dot(slopes_[0], offset), c = dot(slopes_[1], offset),
+                 d = dot(slopes_[2], offset);
     return {{1 - b - c - d, b, c, d}};
   }
 

@@ -8,7 +8,8 @@ namespace isostar::native {
 namespace {
 
 constexpr uint32_t kFew = 4;
-constexpr double kRounding = 1e-9;  // of the box: points on a face belong to the tetrahedra on both sides
+constexpr double kRounding =
+    1e-9;  // of the box: points on a face belong to the tetrahedra on both sides
 
 std::array<double, 3> coordinates(const measure::Vector3& p) {
   return {p.x, p.y, p.z};
@@ -16,12 +17,14 @@ std::array<double, 3> coordinates(const measure::Vector3& p) {
 
 }  // namespace
 
-TetrahedronTree::TetrahedronTree(const TetrahedralMesh& mesh) : nodes_(1), order_(mesh.tetrahedra.size()) {
+TetrahedronTree::TetrahedronTree(const TetrahedralMesh& mesh)
+    : nodes_(1), order_(mesh.tetrahedra.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   build(mesh, 0, 0, static_cast<uint32_t>(order_.size()));
 }
 
-void TetrahedronTree::build(const TetrahedralMesh& mesh, uint32_t node, uint32_t first, uint32_t last) {
+void TetrahedronTree::build(const TetrahedralMesh& mesh, uint32_t node, uint32_t first,
+                            uint32_t last) {
   Node box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, first, last - first};
   for (uint32_t i = first; i < last; ++i) {
     for (uint32_t point : mesh.tetrahedra[order_[i]]) {

@@ -32,7 +32,8 @@ class TetrahedronTree {
     uint32_t first = 0, count = 0;  // of tetrahedra in order_; count 0: the first of two nodes
 
     bool holds(const measure::Vector3& p) const {
-      return p.x >= low[0] && p.y >= low[1] && p.z >= low[2] && p.x <= high[0] && p.y <= high[1] && p.z <= high[2];
+      return p.x >= low[0] && p.y >= low[1] && p.z >= low[2] && p.x <= high[0] && p.y <= high[1] &&
+             p.z <= high[2];
     }
   };
 

@@ -9,7 +9,8 @@ using measure::Vector3;
 
 class Shears {
  public:
-  Shears(const Mesh& mesh, std::vector<double> distances) : mesh_(mesh), distances_(std::move(distances)) {
+  Shears(const Mesh& mesh, std::vector<double> distances)
+      : mesh_(mesh), distances_(std::move(distances)) {
     kept_.resize(distances_.size(), UINT32_MAX);
   }
 
@@ -23,7 +24,7 @@ class Shears {
       if (isInside(a) != isInside(b)) polygon[count++] = between(a, b);
     }
     for (size_t i = 2; i < count; ++i)
-      result_.triangles.insert(result_.triangles.end(), {polygon[0], polygon[i - 1], polygon[i]});
+      result_.indices.insert(result_.indices.end(), {polygon[0], polygon[i - 1], polygon[i]});
   }
 
   Mesh take() { return std::move(result_); }
@@ -37,7 +38,8 @@ class Shears {
   }
 
   uint32_t kept(uint32_t vertex) {
-    if (kept_[vertex] == UINT32_MAX) kept_[vertex] = add(measure::vertexAt(mesh_.positions, vertex));
+    if (kept_[vertex] == UINT32_MAX)
+      kept_[vertex] = add(measure::vertexAt(mesh_.positions, vertex));
     return kept_[vertex];
   }
 
@@ -46,7 +48,8 @@ class Shears {
     const auto [found, isNew] = cuts_.try_emplace(uint64_t{a} << 32 | b, 0);
     if (isNew) {
       const double t = distances_[a] / (distances_[a] - distances_[b]);
-      const Vector3 from = measure::vertexAt(mesh_.positions, a), to = measure::vertexAt(mesh_.positions, b);
+      const Vector3 from = measure::vertexAt(mesh_.positions, a),
+                    to = measure::vertexAt(mesh_.positions, b);
       found->second = add(from + t * (to - from));
     }
     return found->second;
@@ -67,7 +70,7 @@ Mesh trimmed(const Mesh& mesh, const TetrahedralField& field) {
   for (size_t v = 0; v < distances.size(); ++v)
     distances[v] = field.domainDistance(measure::vertexAt(mesh.positions, v), near);
   Shears shears(mesh, std::move(distances));
-  for (size_t t = 0; t < mesh.triangles.size(); t += 3) shears.cut(&mesh.triangles[t]);
+  for (size_t t = 0; t < mesh.indices.size(); t += 3) shears.cut(&mesh.indices[t]);
   return shears.take();
 }
 

@@ -5,7 +5,8 @@
 namespace isostar::native {
 
 TetrahedralMesh readVtkTetrahedra(const std::string& path, const std::optional<std::string>&) {
-  throw Failure(path, "this build of isostar reads no VTK files (VTK was not found when it was built)");
+  throw Failure(path,
+                "this build of isostar reads no VTK files (VTK was not found when it was built)");
 }
 
 }  // namespace isostar::native

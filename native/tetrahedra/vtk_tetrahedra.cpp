@@ -40,26 +40,30 @@ vtkDataArray& named(vtkPointData& points, const std::string& name, const std::st
   const std::string scalars = listOf(namesOf(points, true));
   vtkDataArray* array = points.GetArray(name.c_str());
   if (!array)
-    throw Failure(path, text("has no scalar %s at its points%s%s", name.c_str(), scalars.empty() ? "" : ", but ",
-                             scalars.c_str()));
+    throw Failure(path, text("has no scalar %s at its points%s%s", name.c_str(),
+                             scalars.empty() ? "" : ", but ", scalars.c_str()));
   if (array->GetNumberOfComponents() != 1)
     throw Failure(path, text("%s has %d values a point; one is needed%s%s", name.c_str(),
-                             array->GetNumberOfComponents(), scalars.empty() ? "" : ", as in ", scalars.c_str()));
+                             array->GetNumberOfComponents(), scalars.empty() ? "" : ", as in ",
+                             scalars.c_str()));
   return *array;
 }
 
-vtkDataArray& scalarOf(vtkPointData& points, const std::optional<std::string>& name, const std::string& path) {
+vtkDataArray& scalarOf(vtkPointData& points, const std::optional<std::string>& name,
+                       const std::string& path) {
   if (name) return named(points, *name, path);
   vtkDataArray* marked = points.GetScalars();
   if (marked && marked->GetNumberOfComponents() == 1) return *marked;
   const std::vector<std::string> scalars = namesOf(points, true), vectors = namesOf(points, false);
   if (!scalars.empty()) return *points.GetArray(scalars.front().c_str());
-  throw Failure(path, vectors.empty() ? "has no scalars at its points"
-                                      : "has no scalars at its points, only vectors: " + listOf(vectors));
+  throw Failure(path, vectors.empty()
+                          ? "has no scalars at its points"
+                          : "has no scalars at its points, only vectors: " + listOf(vectors));
 }
 
 /// A grid's cells as tetrahedra.
-std::vector<Corners4> tetrahedraOf(vtkUnstructuredGrid& grid, const std::string& path, size_t& others) {
+std::vector<Corners4> tetrahedraOf(vtkUnstructuredGrid& grid, const std::string& path,
+                                   size_t& others) {
   std::vector<Corners4> tetrahedra;
   const vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
@@ -68,13 +72,14 @@ std::vector<Corners4> tetrahedraOf(vtkUnstructuredGrid& grid, const std::string&
       continue;
     }
     grid.GetCellPoints(cell, ids);
-    if (ids->GetNumberOfIds() != 4) throw Failure(path, text("cell %lld has no four points", (long long)cell));
+    if (ids->GetNumberOfIds() != 4)
+      throw Failure(path, text("cell %lld has no four points", (long long)cell));
     Corners4 corners;
     for (int c = 0; c < 4; ++c) {
       const vtkIdType point = ids->GetId(c);
       if (point < 0 || point >= grid.GetNumberOfPoints())
-        throw Failure(path, text("cell %lld uses point %lld of %lld", (long long)cell, (long long)point,
-                                 (long long)grid.GetNumberOfPoints()));
+        throw Failure(path, text("cell %lld uses point %lld of %lld", (long long)cell,
+                                 (long long)point, (long long)grid.GetNumberOfPoints()));
       corners[static_cast<size_t>(c)] = static_cast<uint32_t>(point);
     }
     tetrahedra.push_back(corners);
@@ -82,14 +87,18 @@ std::vector<Corners4> tetrahedraOf(vtkUnstructuredGrid& grid, const std::string&
   return tetrahedra;
 }
 
-TetrahedralMesh load(vtkUnstructuredGrid* grid, const std::optional<std::string>& scalar, const std::string& path) {
-  if (!grid || grid->GetNumberOfPoints() == 0) throw Failure(path, "has no points, or it is damaged");
+TetrahedralMesh load(vtkUnstructuredGrid* grid, const std::optional<std::string>& scalar,
+                     const std::string& path) {
+  if (!grid || grid->GetNumberOfPoints() == 0)
+    throw Failure(path, "has no points, or it is damaged");
   if (grid->GetNumberOfPoints() > UINT32_MAX) throw Failure(path, "has more than 2^32 points");
   TetrahedralMesh mesh;
   size_t others = 0;
   mesh.tetrahedra = tetrahedraOf(*grid, path, others);
-  if (mesh.tetrahedra.empty()) throw Failure(path, text("has no tetrahedra (cells of other kinds: %zu)", others));
-  if (others > 0) mesh.remarks.push_back(text("cells that are no tetrahedra, left out: %zu", others));
+  if (mesh.tetrahedra.empty())
+    throw Failure(path, text("has no tetrahedra (cells of other kinds: %zu)", others));
+  if (others > 0)
+    mesh.remarks.push_back(text("cells that are no tetrahedra, left out: %zu", others));
   vtkDataArray& values = scalarOf(*grid->GetPointData(), scalar, path);
   const vtkIdType points = grid->GetNumberOfPoints();
   if (values.GetNumberOfTuples() != points) throw Failure(path, "has fewer scalars than points");
@@ -113,18 +122,21 @@ std::string wordThatIsNoNumber(const std::string& path) {
 }
 
 template <class Reader>
-TetrahedralMesh readWith(Reader& reader, const std::string& path, const std::optional<std::string>& scalar) {
+TetrahedralMesh readWith(Reader& reader, const std::string& path,
+                         const std::optional<std::string>& scalar) {
   reader.SetFileName(path.c_str());
   if (!updateQuietly(reader)) {
     const std::string word = wordThatIsNoNumber(path);
-    throw Failure(path, word.empty() ? "is no VTK mesh, or it is damaged" : "a number is not finite: " + word);
+    throw Failure(path, word.empty() ? "is no VTK mesh, or it is damaged"
+                                     : "a number is not finite: " + word);
   }
   return load(reader.GetOutput(), scalar, path);
 }
 
 }  // namespace
 
-TetrahedralMesh readVtkTetrahedra(const std::string& path, const std::optional<std::string>& scalar) {
+TetrahedralMesh readVtkTetrahedra(const std::string& path,
+                                  const std::optional<std::string>& scalar) {
   if (extensionOf(path) == ".vtk") {
     const vtkNew<vtkUnstructuredGridReader> reader;
     reader->ReadAllScalarsOn();

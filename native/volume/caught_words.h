@@ -8,7 +8,8 @@
 
 namespace isostar::native {
 
-/// Catches what is written to std::cerr while it lives: the only place where some libraries tell of missing samples.
+/// Catches what is written to std::cerr while it lives: the only place where some libraries tell of
+/// missing samples.
 class CaughtWords {
  public:
   CaughtWords() : before_(std::cerr.rdbuf(words_.rdbuf())) {}

@@ -7,8 +7,8 @@
 
 namespace isostar::native {
 
-/// Reads a volume in a child process, for the reasons of runInChild(): a reader that dies becomes a Failure naming
-/// `path`.
+/// Reads a volume in a child process, for the reasons of runInChild(): a reader that dies becomes a
+/// Failure naming `path`.
 LoadedVolume readInChild(const std::string& path, const std::function<LoadedVolume()>& read);
 
 }  // namespace isostar::native

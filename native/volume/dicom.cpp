@@ -1,4 +1,5 @@
-// DICOM by ITK's GDCM. Slices are placed by their own positions, never by the spacing tags, which are often wrong.
+// DICOM by ITK's GDCM. Slices are placed by their own positions, never by the spacing tags, which
+// are often wrong.
 #include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
 
@@ -16,7 +17,8 @@
 namespace isostar::native {
 namespace {
 
-constexpr double kGapTolerance = 0.02;  // of the slice distance; positions are rounded to a few decimals
+constexpr double kGapTolerance =
+    0.02;  // of the slice distance; positions are rounded to a few decimals
 
 using Point = std::array<double, 3>;
 
@@ -48,8 +50,9 @@ std::string tag(const itk::ImageIOBase& io, const char* name) {
 
 /// What slices of one volume share: their series, their size and how they lie.
 std::string seriesKey(const itk::ImageIOBase& io, const ItkHeader& header) {
-  std::string key = text("%s %lldx%lld", tag(io, "0020|000e").c_str(), static_cast<long long>(header.size[0]),
-                         static_cast<long long>(header.size[1]));
+  std::string key =
+      text("%s %lldx%lld", tag(io, "0020|000e").c_str(), static_cast<long long>(header.size[0]),
+           static_cast<long long>(header.size[1]));
   for (double cosine : normalOf(header.placement)) key += text(" %.3f", cosine + 0.0);
   return key;
 }
@@ -69,7 +72,8 @@ std::map<std::string, Series> findSeries(const std::vector<std::string>& paths) 
 void sortByHeight(Series& slices) {
   const Point normal = normalOf(slices.front().header.placement);
   for (Slice& slice : slices) slice.height = dot(slice.header.placement.origin, normal);
-  std::sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.height < b.height; });
+  std::sort(slices.begin(), slices.end(),
+            [](const Slice& a, const Slice& b) { return a.height < b.height; });
 }
 
 /// Slices that are not evenly spaced are no grid: one is missing, or two overlap.
@@ -82,8 +86,10 @@ void requireEvenGaps(const std::string& folder, const Series& slices) {
   const double usual = sorted[last / 2];
   for (size_t k = 0; k < last; ++k) {
     if (gaps[k] <= 0 || std::abs(gaps[k] - usual) > kGapTolerance * usual)
-      throw Failure(folder, text("slices %zu and %zu are %.4g mm apart, the others %.4g: one is missing or double",
-                                 k + 1, k + 2, gaps[k], usual));
+      throw Failure(
+          folder,
+          text("slices %zu and %zu are %.4g mm apart, the others %.4g: one is missing or double",
+               k + 1, k + 2, gaps[k], usual));
   }
 }
 
@@ -95,7 +101,8 @@ Placement placementOfSeries(const std::string& folder, const Series& slices) {
   const double steps = static_cast<double>(slices.size() - 1);
   AxisSteps axes{};
   for (int row = 0; row < 3; ++row) {
-    for (int axis = 0; axis < 2; ++axis) axes[axis][row] = first.spacing[axis] * first.direction[3 * row + axis];
+    for (int axis = 0; axis < 2; ++axis)
+      axes[axis][row] = first.spacing[axis] * first.direction[3 * row + axis];
     axes[2][row] = (end[row] - first.origin[row]) / steps;
   }
   return placementOf(folder, first.origin, axes);
@@ -105,7 +112,8 @@ Placement placementOfSeries(const std::string& folder, const Series& slices) {
 LoadedVolume readWholeFile(const std::string& path) {
   const CaughtWords words;
   LoadedVolume volume = readWholeImage(*itk::GDCMImageIO::New(), path, false);
-  if (words.line().find("Incomplete Pixel Data") != std::string::npos) throw Failure(path, "ends within its samples");
+  if (words.line().find("Incomplete Pixel Data") != std::string::npos)
+    throw Failure(path, "ends within its samples");
   return volume;
 }
 
@@ -114,7 +122,8 @@ LoadedVolume readSlices(const std::string& folder, const Series& slices) {
   const size_t count = slices.size();
   const size_t area = static_cast<size_t>(first.size[0]) * static_cast<size_t>(first.size[1]);
   // Slices may differ in type: each has a slope of its own, and so becomes float on its own.
-  SampleBuffer whole(folder, {first.size[0], first.size[1], static_cast<int64_t>(count)}, SampleType::F32, 0);
+  SampleBuffer whole(folder, {first.size[0], first.size[1], static_cast<int64_t>(count)},
+                     SampleType::F32, 0);
   auto* const to = reinterpret_cast<float*>(whole.data());
   for (size_t k = 0; k < count; ++k) {
     const std::vector<float> samples = readWholeFile(slices[k].path).samples;
@@ -145,7 +154,8 @@ LoadedVolume readDicomSeries(const std::string& folder, const std::vector<std::s
   LoadedVolume volume = readSlices(folder, slices);
   if (all.size() > 1)
     volume.remarks.push_back(
-        text("the folder holds %zu series; the largest, of %zu slices, is read", all.size(), slices.size()));
+        text("the folder holds %zu series; the largest, of %zu slices, is read", all.size(),
+             slices.size()));
   return volume;
 }
 

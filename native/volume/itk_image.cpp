@@ -12,8 +12,9 @@
 namespace isostar::native {
 namespace {
 
-/// ITK's own words without its class names and addresses ("itk::ERROR: NrrdImageIO(0x55d0): words") and without the way
-/// that NrrdIO's complaint took ("[nrrd] nrrdLoad: trouble [nrrd] nrrdRead: words").
+/// ITK's own words without its class names and addresses ("itk::ERROR: NrrdImageIO(0x55d0): words")
+/// and without the way that NrrdIO's complaint took ("[nrrd] nrrdLoad: trouble [nrrd] nrrdRead:
+/// words").
 std::string plainWords(const itk::ExceptionObject& error) {
   std::string words = oneLine(error.GetDescription());
   for (const char* before : {"): ", "[nrrd] "}) {
@@ -59,7 +60,8 @@ void requirePlain(const itk::ImageIOBase& io, const std::string& path, unsigned 
     throw Failure(path, text("has %u values a sample; one is needed", components));
   for (unsigned axis = 4; axis < io.GetNumberOfDimensions(); ++axis) {
     if (io.GetDimensions(axis) != 1)
-      throw Failure(path, text("has %u dimensions; four, the last one time, are the most", io.GetNumberOfDimensions()));
+      throw Failure(path, text("has %u dimensions; four, the last one time, are the most",
+                               io.GetNumberOfDimensions()));
   }
 }
 
@@ -70,7 +72,8 @@ Placement placementIn(const itk::ImageIOBase& io, const std::string& path) {
   for (unsigned axis = 0; axis < dimensions; ++axis) {
     const std::vector<double> direction = io.GetDirection(axis);
     origin[axis] = io.GetOrigin(axis);
-    for (unsigned row = 0; row < dimensions; ++row) steps[axis][row] = direction[row] * io.GetSpacing(axis);
+    for (unsigned row = 0; row < dimensions; ++row)
+      steps[axis][row] = direction[row] * io.GetSpacing(axis);
   }
   return placementOf(path, origin, steps);
 }
@@ -130,7 +133,8 @@ LoadedVolume readWholeImage(itk::ImageIOBase& io, const std::string& path, bool 
   LoadedVolume volume;
   volume.dimension = header.dimension;
   volume.frames = static_cast<int32_t>(header.frames);
-  for (size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int32_t>(header.size[axis]);
+  for (size_t axis = 0; axis < 3; ++axis)
+    volume.size[axis] = static_cast<int32_t>(header.size[axis]);
   volume.placement = header.placement;
   volume.samples = buffer.take();
   return volume;

@@ -11,7 +11,8 @@ class ImageIOBase;
 
 namespace isostar::native {
 
-/// What an ITK reader tells of a file before its samples are read: one sample a point, at most four dimensions.
+/// What an ITK reader tells of a file before its samples are read: one sample a point, at most four
+/// dimensions.
 struct ItkHeader {
   ClaimedSize size{1, 1, 1};
   int64_t frames = 1;  // along the fourth axis
@@ -23,16 +24,19 @@ struct ItkHeader {
 /// Silences what ITK would print; every reader calls it first.
 void quietItk();
 
-/// Reads the header. Fails with one line on anything that is not one plain scalar image, volume or sequence of volumes.
+/// Reads the header. Fails with one line on anything that is not one plain scalar image, volume or
+/// sequence of volumes.
 ItkHeader readHeader(itk::ImageIOBase&, const std::string& path, unsigned mostComponents = 1);
 
 /// Reads the samples behind a header into `to`, which has room for them.
 void readSamples(itk::ImageIOBase&, const std::string& path, std::byte* to);
 
-/// All frames of a sequence as one volume, one above the other; the header's size and frames are believed then.
+/// All frames of a sequence as one volume, one above the other; the header's size and frames are
+/// believed then.
 SampleBuffer bufferFor(const std::string& path, const ItkHeader&, uint64_t fileBytes);
 
-/// Header and samples. `attached`: the samples are in the file itself, so that its length bounds their number.
+/// Header and samples. `attached`: the samples are in the file itself, so that its length bounds
+/// their number.
 LoadedVolume readWholeImage(itk::ImageIOBase&, const std::string& path, bool attached);
 
 }  // namespace isostar::native

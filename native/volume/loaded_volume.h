@@ -9,7 +9,8 @@
 
 namespace isostar::native {
 
-/// A volume that owns its samples, with what its reader found worth saying; or an image, or a sequence of volumes.
+/// A volume that owns its samples, with what its reader found worth saying; or an image, or a
+/// sequence of volumes.
 struct LoadedVolume {
   int dimension = 3;
   std::vector<float> samples;

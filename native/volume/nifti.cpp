@@ -1,5 +1,6 @@
-// NIfTI by nifti_clib. ITK 5.2 refuses every affine that is not orthonormal to the last digits, and its reader sets NaN
-// to zero; the library under it does neither when its image loader is left alone.
+// NIfTI by nifti_clib. ITK 5.2 refuses every affine that is not orthonormal to the last digits, and
+// its reader sets NaN to zero; the library under it does neither when its image loader is left
+// alone.
 #include <nifti1_io.h>
 
 #include <cmath>
@@ -52,15 +53,17 @@ SampleType sampleType(const nifti_image& header, const std::string& path) {
     case DT_FLOAT64:
       return SampleType::F64;
     default:
-      throw Failure(path,
-                    text("has samples of type %s; one real number is needed", nifti_datatype_string(header.datatype)));
+      throw Failure(path, text("has samples of type %s; one real number is needed",
+                               nifti_datatype_string(header.datatype)));
   }
 }
 
 ClaimedSize sizeOf(const nifti_image& header, const std::string& path) {
   const int sizes[] = {header.nx, header.ny, header.nz, header.nt, header.nu, header.nv, header.nw};
   for (int axis = 4; axis < header.ndim; ++axis) {
-    if (sizes[axis] > 1) throw Failure(path, text("has %d dimensions; four, the last one time, are the most", header.ndim));
+    if (sizes[axis] > 1)
+      throw Failure(path,
+                    text("has %d dimensions; four, the last one time, are the most", header.ndim));
   }
   ClaimedSize size{1, 1, 1};
   for (int axis = 0; axis < std::min(3, header.ndim); ++axis) size[axis] = sizes[axis];
@@ -78,7 +81,8 @@ double millimetres(const nifti_image& header) {
   }
 }
 
-/// The sform where the file has one, else the qform, else the bare spacing; NIfTI's RAS turned into LPS.
+/// The sform where the file has one, else the qform, else the bare spacing; NIfTI's RAS turned into
+/// LPS.
 Placement placementIn(const nifti_image& header, const std::string& path) {
   const mat44& affine = header.sform_code > 0 ? header.sto_xyz : header.qto_xyz;
   std::array<double, 3> origin{};
@@ -100,7 +104,8 @@ void readSamples(const nifti_image& header, const std::string& path, SampleBuffe
   if (!file || znzseek(file.get(), header.iname_offset, SEEK_SET) < 0)
     throw Failure(path, text("its samples in %s cannot be read", header.iname));
   const size_t got = znzread(to.data(), 1, to.bytes(), file.get());
-  if (got != to.bytes()) throw Failure(path, text("ends after %zu of %zu bytes of samples", got, to.bytes()));
+  if (got != to.bytes())
+    throw Failure(path, text("ends after %zu of %zu bytes of samples", got, to.bytes()));
   if (header.swapsize > 1 && header.byteorder != nifti_short_order())
     nifti_swap_Nbytes(to.bytes() / header.swapsize, header.swapsize, to.data());
 }
@@ -118,14 +123,18 @@ LoadedVolume readNifti(const std::string& path) {
   claimed.type = sampleType(*header, path);
   SampleBuffer buffer = bufferFor(path, claimed, fileSize(header->iname));
   readSamples(*header, path, buffer);
-  for (size_t axis = 0; axis < 3; ++axis) volume.size[axis] = static_cast<int32_t>(claimed.size[axis]);
+  for (size_t axis = 0; axis < 3; ++axis)
+    volume.size[axis] = static_cast<int32_t>(claimed.size[axis]);
   volume.frames = static_cast<int32_t>(claimed.frames);
   if (volume.frames > 1) volume.dimension = 4;
-  // Slope 0 means that the samples are not scaled; a slope that is not finite can only mean the same.
-  const bool scaled = header->scl_slope != 0 && std::isfinite(header->scl_slope) && std::isfinite(header->scl_inter);
+  // Slope 0 means that the samples are not scaled; a slope that is not finite can only mean the
+  // same.
+  const bool scaled = header->scl_slope != 0 && std::isfinite(header->scl_slope) &&
+                      std::isfinite(header->scl_inter);
   volume.samples = scaled ? buffer.take(header->scl_slope, header->scl_inter) : buffer.take();
   if (const double shear = shearDegrees(volume.placement); shear > kNoticeableShear)
-    volume.remarks.push_back(text("the axes are %.3g degrees off a right angle; the shear is kept", shear));
+    volume.remarks.push_back(
+        text("the axes are %.3g degrees off a right angle; the shear is kept", shear));
   return volume;
 }
 

@@ -13,7 +13,8 @@
 namespace isostar::native {
 namespace {
 
-/// Grey, grey and opacity, red green blue, or these and opacity; of colours the luminance (Rec. 709).
+/// Grey, grey and opacity, red green blue, or these and opacity; of colours the luminance (Rec.
+/// 709).
 double greyOf(const float* sample, unsigned components) {
   return components < 3 ? sample[0] : 0.2126 * sample[0] + 0.7152 * sample[1] + 0.0722 * sample[2];
 }
@@ -23,7 +24,8 @@ double greyOf(const float* sample, unsigned components) {
 LoadedVolume pictureFrom(itk::ImageIOBase& io, const std::string& path) {
   const ItkHeader header = readHeader(io, path, 4);
   const unsigned components = io.GetNumberOfComponents();
-  SampleBuffer buffer(path, {header.size[0] * components, header.size[1], 1}, header.type, fileSize(path));
+  SampleBuffer buffer(path, {header.size[0] * components, header.size[1], 1}, header.type,
+                      fileSize(path));
   readSamples(io, path, buffer.data());
   const bool bytes = header.type == SampleType::U8;
   LoadedVolume picture;

@@ -11,7 +11,8 @@ namespace isostar::native {
 namespace {
 
 double determinant(const std::array<double, 9>& m) {
-  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+         m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
 bool allFinite(const auto& numbers) {
@@ -20,20 +21,24 @@ bool allFinite(const auto& numbers) {
 
 }  // namespace
 
-Placement placementOf(const std::string& file, const std::array<double, 3>& origin, const AxisSteps& steps) {
+Placement placementOf(const std::string& file, const std::array<double, 3>& origin,
+                      const AxisSteps& steps) {
   Placement placement{origin, {}, {}};
   if (!allFinite(origin)) throw Failure(file, "the origin is not finite");
   for (int axis = 0; axis < 3; ++axis) {
     const auto& step = steps[axis];
     const double length = std::hypot(step[0], step[1], step[2]);
     if (!allFinite(step) || !(length > 0))
-      throw Failure(file, text("the spacing along axis %d is %g; it must be positive and finite", axis, length));
+      throw Failure(file, text("the spacing along axis %d is %g; it must be positive and finite",
+                               axis, length));
     placement.spacing[axis] = length;
     for (int row = 0; row < 3; ++row) placement.direction[3 * row + axis] = step[row] / length;
   }
   // Unit columns: the determinant is the volume of the cell, which no real scan flattens this far.
   if (const double volume = determinant(placement.direction); std::abs(volume) < 1e-6)
-    throw Failure(file, text("the directions of the axes cannot be inverted, their determinant is %g", volume));
+    throw Failure(
+        file,
+        text("the directions of the axes cannot be inverted, their determinant is %g", volume));
   return placement;
 }
 
@@ -42,7 +47,8 @@ double shearDegrees(const Placement& placement) {
   for (int a = 0; a < 3; ++a) {
     for (int b = a + 1; b < 3; ++b) {
       double cosine = 0;
-      for (int row = 0; row < 3; ++row) cosine += placement.direction[3 * row + a] * placement.direction[3 * row + b];
+      for (int row = 0; row < 3; ++row)
+        cosine += placement.direction[3 * row + a] * placement.direction[3 * row + b];
       worst = std::max(worst, std::asin(std::min(1.0, std::abs(cosine))));
     }
   }

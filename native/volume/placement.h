@@ -12,7 +12,8 @@ using AxisSteps = std::array<std::array<double, 3>, 3>;
 
 /// Spacing is the length of each step, direction the rest; whatever the affine was, it is kept.
 /// Fails with one line naming `file` where it cannot be inverted.
-Placement placementOf(const std::string& file, const std::array<double, 3>& origin, const AxisSteps& steps);
+Placement placementOf(const std::string& file, const std::array<double, 3>& origin,
+                      const AxisSteps& steps);
 
 /// How far the axes are from a right angle, in degrees; 0 for an orthogonal grid.
 double shearDegrees(const Placement&);

@@ -20,7 +20,8 @@ bool isTiff(const std::string& path) {
 std::vector<std::string> filesIn(const std::string& folder) {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.is_regular_file() && entry.path().filename().string()[0] != '.') paths.push_back(entry.path().string());
+    if (entry.is_regular_file() && entry.path().filename().string()[0] != '.')
+      paths.push_back(entry.path().string());
   }
   std::sort(paths.begin(), paths.end());
   return paths;
@@ -37,17 +38,20 @@ LoadedVolume readFolder(const std::string& folder) {
 LoadedVolume readByExtension(const std::string& path) {
   using Reader = LoadedVolume (*)(const std::string&);
   static const std::map<std::string, Reader> kReaders = {
-      {".nrrd", readNrrd},     {".nhdr", readNrrd},     {".mha", readMetaImage}, {".mhd", readMetaImage},
-      {".nii", readNifti},     {".nii.gz", readNifti},  {".hdr", readNifti},     {".img", readNifti},
-      {".hdr.gz", readNifti},  {".img.gz", readNifti},  {".tif", readTiff},      {".tiff", readTiff},
+      {".nrrd", readNrrd},     {".nhdr", readNrrd},     {".mha", readMetaImage},
+      {".mhd", readMetaImage}, {".nii", readNifti},     {".nii.gz", readNifti},
+      {".hdr", readNifti},     {".img", readNifti},     {".hdr.gz", readNifti},
+      {".img.gz", readNifti},  {".tif", readTiff},      {".tiff", readTiff},
       {".png", readPng},       {".jpg", readJpeg},      {".jpeg", readJpeg},
-      {".dcm", readDicomFile}, {".ima", readDicomFile}, {".vti", readVtkImage},  {".vtk", readVtkImage},
+      {".dcm", readDicomFile}, {".ima", readDicomFile}, {".vti", readVtkImage},
+      {".vtk", readVtkImage},
   };
   fileSize(path);
   const auto reader = kReaders.find(extensionOf(path));
   if (reader == kReaders.end())
     throw Failure(path,
-                  "its name tells no known format (.nrrd .nhdr .mha .mhd .nii .nii.gz .hdr .tif .png .jpg .dcm .vti .vtk, "
+                  "its name tells no known format (.nrrd .nhdr .mha .mhd .nii .nii.gz .hdr .tif "
+                  ".png .jpg .dcm .vti .vtk, "
                   "a folder of DICOM or TIFF slices, or raw with --size and --type)");
   return reader->second(path);
 }
@@ -55,7 +59,8 @@ LoadedVolume readByExtension(const std::string& path) {
 LoadedVolume readAny(const VolumeRequest& request) {
   if (request.size && request.type) return readRaw(request);
   return readInChild(request.path, [&] {
-    return std::filesystem::is_directory(request.path) ? readFolder(request.path) : readByExtension(request.path);
+    return std::filesystem::is_directory(request.path) ? readFolder(request.path)
+                                                       : readByExtension(request.path);
   });
 }
 

@@ -9,7 +9,8 @@
 
 namespace isostar::native {
 
-/// What the command line says about a volume. Size and type are for raw files, which tell nothing themselves.
+/// What the command line says about a volume. Size and type are for raw files, which tell nothing
+/// themselves.
 struct VolumeRequest {
   std::string path;
   std::optional<ClaimedSize> size{};
@@ -17,8 +18,8 @@ struct VolumeRequest {
   std::optional<std::array<double, 3>> spacing{};  // overrules the file's
 };
 
-/// A volume of any known format, told by its extension. The world is the one of NRRD and ITK: LPS, millimetres.
-/// Fails with one line.
+/// A volume of any known format, told by its extension. The world is the one of NRRD and ITK: LPS,
+/// millimetres. Fails with one line.
 LoadedVolume readVolume(const VolumeRequest&);
 
 }  // namespace isostar::native

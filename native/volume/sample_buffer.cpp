@@ -17,20 +17,24 @@ constexpr double kBestCompression = 2000;
 constexpr double kSmallFile = 4096;
 
 double physicalMemory() {
-  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-void requireBelievable(const std::string& file, const ClaimedSize& size, SampleType type, uint64_t fileBytes) {
-  const std::string named = text("%lld x %lld x %lld", static_cast<long long>(size[0]), static_cast<long long>(size[1]),
-                                 static_cast<long long>(size[2]));
+void requireBelievable(const std::string& file, const ClaimedSize& size, SampleType type,
+                       uint64_t fileBytes) {
+  const std::string named = text("%lld x %lld x %lld", static_cast<long long>(size[0]),
+                                 static_cast<long long>(size[1]), static_cast<long long>(size[2]));
   for (int64_t side : size) {
-    if (side < 1 || side > INT32_MAX) throw Failure(file, text("a size of %s samples is impossible", named.c_str()));
+    if (side < 1 || side > INT32_MAX)
+      throw Failure(file, text("a size of %s samples is impossible", named.c_str()));
   }
-  const double count = static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]);
+  const double count =
+      static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]);
   const double needed = count * static_cast<double>(bytesOf(type));
   if (fileBytes > 0 && needed > kSmallFile + kBestCompression * static_cast<double>(fileBytes))
-    throw Failure(
-        file, text("%s samples are claimed, which %s cannot hold", named.c_str(), readableBytes(fileBytes).c_str()));
+    throw Failure(file, text("%s samples are claimed, which %s cannot hold", named.c_str(),
+                             readableBytes(fileBytes).c_str()));
   const double memory = type == SampleType::F32 ? needed : needed + 4 * count;
   if (memory > physicalMemory())
     throw Failure(file, text("%s samples need %s of memory, this machine has %s", named.c_str(),
@@ -60,11 +64,13 @@ size_t bytesOf(SampleType type) {
   return 8;
 }
 
-SampleBuffer::SampleBuffer(std::string file, const ClaimedSize& size, SampleType type, uint64_t fileBytes)
+SampleBuffer::SampleBuffer(std::string file, const ClaimedSize& size, SampleType type,
+                           uint64_t fileBytes)
     : file_(std::move(file)), type_(type) {
   requireBelievable(file_, size, type, fileBytes);
   for (int axis = 0; axis < 3; ++axis) size_[axis] = static_cast<int32_t>(size[axis]);
-  count_ = static_cast<size_t>(size[0]) * static_cast<size_t>(size[1]) * static_cast<size_t>(size[2]);
+  count_ =
+      static_cast<size_t>(size[0]) * static_cast<size_t>(size[1]) * static_cast<size_t>(size[2]);
   if (type_ == SampleType::F32) {
     floats_.resize(count_);
   } else {
@@ -84,7 +90,8 @@ void SampleBuffer::convert(double slope, double intercept) {
   for (size_t i = 0; i < count_; ++i) {
     Sample sample;
     std::memcpy(&sample, from + i * sizeof(Sample), sizeof(Sample));
-    floats_[i] = static_cast<float>(plain ? sample : slope * static_cast<double>(sample) + intercept);
+    floats_[i] =
+        static_cast<float>(plain ? sample : slope * static_cast<double>(sample) + intercept);
   }
   raw_ = {};
 }
@@ -97,7 +104,8 @@ void SampleBuffer::requireFinite() const {
   const size_t row = static_cast<size_t>(size_[0]), slice = row * static_cast<size_t>(size_[1]);
   const size_t count = static_cast<size_t>(std::count_if(first, floats_.end(), bad));
   throw Failure(file_, text("%zu %s not a finite number, the first at (%zu, %zu, %zu)", count,
-                            count == 1 ? "sample is" : "samples are", at % row, at % slice / row, at / slice));
+                            count == 1 ? "sample is" : "samples are", at % row, at % slice / row,
+                            at / slice));
 }
 
 std::vector<float> SampleBuffer::take(double slope, double intercept) {

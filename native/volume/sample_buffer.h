@@ -18,8 +18,8 @@ using ClaimedSize = std::array<int64_t, 3>;
 /// Room for a volume's samples in the file's own type, which become floats at the end.
 class SampleBuffer {
  public:
-  /// Fails with one line, before allocating, on a size that is not positive, that this machine cannot hold, or that
-  /// `fileBytes` cannot contain even compressed. `fileBytes` 0: not known.
+  /// Fails with one line, before allocating, on a size that is not positive, that this machine
+  /// cannot hold, or that `fileBytes` cannot contain even compressed. `fileBytes` 0: not known.
   SampleBuffer(std::string file, const ClaimedSize&, SampleType, uint64_t fileBytes);
 
   std::byte* data();
@@ -27,7 +27,8 @@ class SampleBuffer {
   SampleType type() const { return type_; }
   std::array<int32_t, 3> size() const { return size_; }
 
-  /// The samples as floats, `slope · sample + intercept`; fails where one is not finite, telling where and how many.
+  /// The samples as floats, `slope · sample + intercept`; fails where one is not finite, telling
+  /// where and how many.
   std::vector<float> take(double slope = 1, double intercept = 0);
 
  private:

@@ -29,15 +29,18 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
       return name.substr(first, at - first);
     };
     const std::string left = number(a, i), right = number(b, j);
-    if (left != right) return left.size() != right.size() ? left.size() < right.size() : left < right;
+    if (left != right)
+      return left.size() != right.size() ? left.size() < right.size() : left < right;
   }
   return a.size() < b.size();
 }
 
-/// TIFF's resolution says nothing of the distance between slices, and most programs write 72 dots an inch into it.
+/// TIFF's resolution says nothing of the distance between slices, and most programs write 72 dots
+/// an inch into it.
 void forgetPlacement(LoadedVolume& volume) {
   volume.placement = {};
-  volume.remarks.push_back("a TIFF does not tell its spacing: 1 x 1 x 1 is taken; --spacing gives another");
+  volume.remarks.push_back(
+      "a TIFF does not tell its spacing: 1 x 1 x 1 is taken; --spacing gives another");
 }
 
 }  // namespace
@@ -56,7 +59,8 @@ LoadedVolume readTiffStack(const std::string& folder, const std::vector<std::str
   std::stable_sort(slices.begin(), slices.end(), naturallyBefore);
   const ItkHeader first = readHeader(*itk::TIFFImageIO::New(), slices.front());
   ClaimedSize size = first.size;
-  if (size[2] != 1) throw Failure(slices.front(), "has several pages; a stack is made of single ones");
+  if (size[2] != 1)
+    throw Failure(slices.front(), "has several pages; a stack is made of single ones");
   size[2] = static_cast<int64_t>(slices.size());
   SampleBuffer buffer(folder, size, first.type, 0);
   const size_t sliceBytes = buffer.bytes() / slices.size();

@@ -30,8 +30,8 @@ class PageList {
       if (size.thumbnail) continue;
       if (first.width == 0) first = size;
       if (size.width != first.width || size.height != first.height)
-        throw Failure(path_, text("page %zu is %llu x %llu, the first %llu x %llu", seen.size(), size.width,
-                                  size.height, first.width, first.height));
+        throw Failure(path_, text("page %zu is %llu x %llu, the first %llu x %llu", seen.size(),
+                                  size.width, size.height, first.width, first.height));
     }
   }
 
@@ -56,7 +56,8 @@ class PageList {
     return size;
   }
 
-  /// The value of a directory entry where it is one number: at the start of its room, whatever the order of bytes.
+  /// The value of a directory entry where it is one number: at the start of its room, whatever the
+  /// order of bytes.
   uint64_t readValue(uint64_t type) {
     constexpr uint64_t kShort = 3, kLong8 = 16;
     const int room = large_ ? 8 : 4, bytes = type == kShort ? 2 : type == kLong8 ? room : 4;

@@ -15,7 +15,8 @@ bool updateQuietly(vtkAlgorithm& reader) {
   bool failed = false;
   const vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&failed);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+  observer->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
   vtkOutputWindow& window = *vtkOutputWindow::GetInstance();
   window.AddObserver(vtkCommand::ErrorEvent, observer);
   window.AddObserver(vtkCommand::WarningEvent, observer);

@@ -58,7 +58,8 @@ vtkDataArray& samplesOf(vtkImageData& image, const std::string& path) {
   if (!array && points.GetNumberOfArrays() == 1) array = points.GetArray(0);
   if (!array) throw Failure(path, "has no scalars at its points");
   if (array->GetNumberOfComponents() != 1)
-    throw Failure(path, text("has %d values a sample; one is needed", array->GetNumberOfComponents()));
+    throw Failure(path,
+                  text("has %d values a sample; one is needed", array->GetNumberOfComponents()));
   return *array;
 }
 
@@ -70,17 +71,20 @@ Placement placementIn(vtkImageData& image, const std::string& path) {
   AxisSteps steps{};
   for (int axis = 0; axis < 3; ++axis) {
     for (int row = 0; row < 3; ++row)
-      steps[axis][row] = image.GetDirectionMatrix()->GetElement(row, axis) * image.GetSpacing()[axis];
+      steps[axis][row] =
+          image.GetDirectionMatrix()->GetElement(row, axis) * image.GetSpacing()[axis];
   }
   return placementOf(path, {corner[0], corner[1], corner[2]}, steps);
 }
 
 LoadedVolume load(vtkImageData* image, const std::string& path) {
-  if (!image || image->GetNumberOfPoints() == 0) throw Failure(path, "is no VTK image, or it is damaged");
+  if (!image || image->GetNumberOfPoints() == 0)
+    throw Failure(path, "is no VTK image, or it is damaged");
   vtkDataArray& array = samplesOf(*image, path);
   const int* size = image->GetDimensions();
   SampleBuffer buffer(path, {size[0], size[1], size[2]}, sampleType(array, path), 0);
-  if (array.GetNumberOfTuples() != image->GetNumberOfPoints()) throw Failure(path, "has fewer samples than points");
+  if (array.GetNumberOfTuples() != image->GetNumberOfPoints())
+    throw Failure(path, "has fewer samples than points");
   std::memcpy(buffer.data(), array.GetVoidPointer(0), buffer.bytes());
   LoadedVolume volume;
   volume.size = buffer.size();

@@ -5,7 +5,8 @@
 namespace isostar::native {
 
 LoadedVolume readVtkImage(const std::string& path) {
-  throw Failure(path, "this build of isostar reads no VTK files (VTK was not found when it was built)");
+  throw Failure(path,
+                "this build of isostar reads no VTK files (VTK was not found when it was built)");
 }
 
 }  // namespace isostar::native

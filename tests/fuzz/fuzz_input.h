@@ -15,7 +15,8 @@ inline constexpr Limits kFuzzLimits{1u << 20, 1u << 16, 32u << 20};
 /// Takes numbers off the front; zeros past the end.
 class FuzzInput {
  public:
-  FuzzInput(const uint8_t* data, std::size_t size) : rest_(reinterpret_cast<const std::byte*>(data), size) {}
+  FuzzInput(const uint8_t* data, std::size_t size)
+      : rest_(reinterpret_cast<const std::byte*>(data), size) {}
 
   uint8_t byte() { return number<uint8_t>(); }
   /// Within first … last.
@@ -44,13 +45,15 @@ inline void demand(bool actual) {
 
 inline void demandSound(const Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size() / 3;
-  demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() && mesh.triangles.size() % 3 == 0);
-  for (uint32_t v : mesh.triangles) demand(v < vertices);
+  demand(vertices <= kFuzzLimits.vertices && mesh.normals.size() == mesh.positions.size() &&
+         mesh.indices.size() % 3 == 0);
+  for (uint32_t v : mesh.indices) demand(v < vertices);
   for (float v : mesh.positions) demand(std::isfinite(v));
   for (float v : mesh.normals) demand(std::isfinite(v));
 }
 
-/// Makes all meshes, or contours, of what a decoder shows: of both polygonizers, each isovalue and one in between, on a frame and off it.
+/// Makes all meshes, or contours, of what a decoder shows: of both polygonizers, each isovalue and
+/// one in between, on a frame and off it.
 inline void demandSoundSurfaces(const Decoder& decoder) {
   std::vector<double> isovalues = decoder.info().isovalues;
   if (isovalues.size() > 1) isovalues.push_back(0.7 * isovalues.front() + 0.3 * isovalues.back());

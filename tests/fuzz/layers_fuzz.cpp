@@ -1,7 +1,8 @@
-// Any layers behind a plausible header and right checksums, straight into the traversals, torn at times: within any memory allowed.
+// Any layers behind a plausible header and right checksums, straight into the traversals, torn at
+// times: within any memory allowed.
+#include "container/stream.h"
 #include "fuzz_input.h"
 #include "hostile/allocation.h"
-#include "container/stream.h"
 
 using namespace isostar;
 
@@ -10,7 +11,9 @@ namespace {
 constexpr std::size_t kMostUncounted = 4u << 20;  // models, as Limits says
 
 /// A small number or any.
-double isovalueFrom(FuzzInput& input) { return (input.byte() & 1) != 0 ? input.between(-9, 9) / 2.0 : input.number<double>(); }
+double isovalueFrom(FuzzInput& input) {
+  return (input.byte() & 1) != 0 ? input.between(-9, 9) / 2.0 : input.number<double>();
+}
 
 Header headerFrom(FuzzInput& input) {
   Header header;
@@ -21,12 +24,19 @@ Header headerFrom(FuzzInput& input) {
   header.adaptive = meshes == 0;
   header.keepsTopology = meshes == 1;
   header.trimmed = meshes == 4 && header.dimension == 3;
-  for (int i = header.adaptive || header.trimmed ? 0 : input.between(0, 3); i > 0; --i) header.furtherIsovalues.push_back(isovalueFrom(input));
+  for (int i = header.adaptive || header.trimmed ? 0 : input.between(0, 3); i > 0; --i)
+    header.furtherIsovalues.push_back(isovalueFrom(input));
   header.polygonizer = static_cast<Polygonizer>(input.between(0, 1));
   switch (input.between(0, 3)) {
-    case 0: header.countWhole(1); break;
-    case 1: header.countWhole(Header::kByteStep); break;
-    default: header.quantizationStep = std::ldexp(1.0, input.between(0, 1) != 0 ? -10 : 8 * input.number<int8_t>() - 1);
+    case 0:
+      header.countWhole(1);
+      break;
+    case 1:
+      header.countWhole(Header::kByteStep);
+      break;
+    default:
+      header.quantizationStep =
+          std::ldexp(1.0, input.between(0, 1) != 0 ? -10 : 8 * input.number<int8_t>() - 1);
   }
   return header;
 }
@@ -38,12 +48,17 @@ LayerHead expected(FuzzInput& input, const Header& header, int coded) {
   if (coded == 0) return {};
   if (coded <= finestLevel) return {LayerKind::Refinement, coded};
   const int passes = coded - finestLevel - 1;
-  if (header.adaptive) return {passes % 2 == 0 ? LayerKind::Exponents : LayerKind::Magnitudes, std::min(passes / 2, 31)};
+  if (header.adaptive)
+    return {passes % 2 == 0 ? LayerKind::Exponents : LayerKind::Magnitudes,
+            std::min(passes / 2, 31)};
   if (header.trimmed && passes == 0) return {LayerKind::Domain, finestLevel};
-  constexpr std::array<LayerKind, 4> kKinds{LayerKind::Displacement, LayerKind::Displacement, LayerKind::Exponents, LayerKind::Magnitudes};
-  if (header.furtherIsovalues.empty() || passes < kPasses) return {kKinds[static_cast<std::size_t>(input.between(0, 3))], finestLevel};
+  constexpr std::array<LayerKind, 4> kKinds{LayerKind::Displacement, LayerKind::Displacement,
+                                            LayerKind::Exponents, LayerKind::Magnitudes};
+  if (header.furtherIsovalues.empty() || passes < kPasses)
+    return {kKinds[static_cast<std::size_t>(input.between(0, 3))], finestLevel};
   const int further = passes - kPasses;
-  return {further % 3 == 0 ? LayerKind::FurtherSigns : LayerKind::FurtherGeometry, std::min(further / 3 + 1, 31)};
+  return {further % 3 == 0 ? LayerKind::FurtherSigns : LayerKind::FurtherGeometry,
+          std::min(further / 3 + 1, 31)};
 }
 
 void writeLayer(FuzzInput& input, const Header& header, int coded, std::vector<std::byte>& stream) {
@@ -72,7 +87,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {
   ByteWriter out(stream);
   write(out, header);
   stream.insert(stream.end(), layers.begin(), layers.end());
-  if ((input.byte() & 1) != 0) stream.resize(stream.size() - std::min<std::size_t>(stream.size(), input.byte()));
+  if ((input.byte() & 1) != 0)
+    stream.resize(stream.size() - std::min<std::size_t>(stream.size(), input.byte()));
   Limits limits = kFuzzLimits;
   limits.memory >>= input.between(0, 10);
   const Allocation allocation;

@@ -1,8 +1,9 @@
-// Any bytes as a stream whose checksums are right: a sound stream changed anywhere is decoded to its end.
+// Any bytes as a stream whose checksums are right: a sound stream changed anywhere is decoded to
+// its end.
 #include <algorithm>
 
-#include "fuzz_input.h"
 #include "container/stream.h"
+#include "fuzz_input.h"
 
 using namespace isostar;
 
@@ -12,7 +13,8 @@ using Bytes = std::vector<std::byte>;
 constexpr std::size_t kMagic = 3, kShort = 1024;
 
 void put(Bytes& stream, std::size_t at, std::size_t length, uint32_t sum) {
-  for (std::size_t i = 0; i < length; ++i) stream[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
+  for (std::size_t i = 0; i < length; ++i)
+    stream[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
 }
 
 /// Where a header ends only its own fields tell: tries each place for its checksum. 0: nowhere.
@@ -35,10 +37,12 @@ void mend(Bytes& stream) {
   while (at != 0 && at < stream.size()) {
     LayerHead head;
     std::size_t used = 0;
-    if (read(std::span<const std::byte>(stream).subspan(at), header, head, used) != Error::None) return;
+    if (read(std::span<const std::byte>(stream).subspan(at), header, head, used) != Error::None)
+      return;
     at += used;
     if (head.bytes > stream.size() - at) return;
-    const auto layer = std::span<const std::byte>(stream).subspan(at, static_cast<std::size_t>(head.bytes));
+    const auto layer =
+        std::span<const std::byte>(stream).subspan(at, static_cast<std::size_t>(head.bytes));
     const std::size_t length = layer.size() < kShort ? 2 : 4;
     put(stream, at - length, length, checksum(head, layer));
     at += layer.size();

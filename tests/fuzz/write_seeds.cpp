@@ -11,18 +11,22 @@ using namespace isostar;
 
 class SeedFolder {
  public:
-  explicit SeedFolder(std::filesystem::path folder) : folder_(std::move(folder)) { std::filesystem::create_directories(folder_); }
+  explicit SeedFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::filesystem::create_directories(folder_);
+  }
 
   template <class Source>
   void write(const Source& source, const EncodeOptions& options) {
     std::vector<std::byte> stream;
     StreamInfo info;
-    if (encode(source, options, stream) != Error::None || inspect(stream, info) != Error::None || info.adaptive != options.adaptive) {
+    if (encode(source, options, stream) != Error::None || inspect(stream, info) != Error::None ||
+        info.adaptive != options.adaptive) {
       std::cerr << "seed " << number_ << " is not what it should be\n";
       allAsMeant_ = false;
     }
     std::ofstream(folder_ / std::to_string(number_++), std::ios::binary)
-        .write(reinterpret_cast<const char*>(stream.data()), static_cast<std::streamsize>(stream.size()));
+        .write(reinterpret_cast<const char*>(stream.data()),
+               static_cast<std::streamsize>(stream.size()));
   }
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool allAsMeant() const { return allAsMeant_; }
@@ -64,18 +68,24 @@ EncodeOptions adaptive(double bound, Polygonizer polygonizer, int effort = 1) {
   return options;
 }
 
-/// Round shapes, and of as few samples as still make an adaptive mesh the smaller one: fuzzers go through them often.
+/// Round shapes, and of as few samples as still make an adaptive mesh the smaller one: fuzzers go
+/// through them often.
 void writeAdaptiveMeshes(SeedFolder& seeds) {
   const Size cube{24, 24, 24}, box{22, 24, 21};
   seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(1, Polygonizer::Cubes));
-  seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(1, Polygonizer::Tetrahedra, 2));
-  seeds.write(sampled("ball", box, sphere(box, 0.45)).volume(), adaptive(0.9, Polygonizer::Tetrahedra));
-  const SampledField disc = sampled("disc", {33, 28, 1}, [](double x, double y, double) { return 11.23 - std::hypot(x - 16.5, y - 14); });
+  seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(),
+              adaptive(1, Polygonizer::Tetrahedra, 2));
+  seeds.write(sampled("ball", box, sphere(box, 0.45)).volume(),
+              adaptive(0.9, Polygonizer::Tetrahedra));
+  const SampledField disc = sampled("disc", {33, 28, 1}, [](double x, double y, double) {
+    return 11.23 - std::hypot(x - 16.5, y - 14);
+  });
   seeds.write(Image{disc.samples, {33, 28}}, adaptive(0.8, Polygonizer::Tetrahedra));
 }
 
 void writeDomains(SeedFolder& seeds) {
-  for (const auto& field : fieldsOf({9, 8, 11})) seeds.write(within(halfSpace({0.6, 0.48, 0.64}, 8), field).volume(), turnOf(seeds.number()));
+  for (const auto& field : fieldsOf({9, 8, 11}))
+    seeds.write(within(halfSpace({0.6, 0.48, 0.64}, 8), field).volume(), turnOf(seeds.number()));
 }
 
 void writeVolumesOfOneTopology(SeedFolder& seeds) {
@@ -97,7 +107,8 @@ void writeImages(SeedFolder& seeds) {
 
 /// The third axis of a field holds three frames of four planes each.
 void writeSequences(SeedFolder& seeds) {
-  for (const auto& field : fieldsOf({6, 5, 12})) seeds.write(Sequence{field.samples, {6, 5, 4}, 3, {}}, turnOf(seeds.number()));
+  for (const auto& field : fieldsOf({6, 5, 12}))
+    seeds.write(Sequence{field.samples, {6, 5, 4}, 3, {}}, turnOf(seeds.number()));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What the golden streams are made of: fields and options that use each part of the format, one small stream each.
+// What the golden streams are made of: fields and options that use each part of the format, one
+// small stream each.
 #pragma once
 
 #include "property/delicate_shapes.h"
@@ -20,7 +21,8 @@ inline EncodeOptions withBound(double bound) {
 }
 
 inline GoldenSource of(const SampledField& field, const EncodeOptions& options) {
-  return {field.name, [=](std::vector<std::byte>& out) { return encode(field.volume(), options, out); }};
+  return {field.name,
+          [=](std::vector<std::byte>& out) { return encode(field.volume(), options, out); }};
 }
 
 inline SampledField knotField(std::string name) {
@@ -30,34 +32,44 @@ inline SampledField knotField(std::string name) {
 
 /// Whole numbers, placed in the world: these two have fields of their own in the header.
 inline SampledField placed() {
-  SampledField field = sampled("placed", {11, 9, 13}, [](double x, double y, double z) { return std::round(100 * gyroid(9)(x, y, z)); });
+  SampledField field = sampled("placed", {11, 9, 13}, [](double x, double y, double z) {
+    return std::round(100 * gyroid(9)(x, y, z));
+  });
   field.placement = {{-3.5, 10, 0.25}, {0.5, 0.5, 1.25}, {0, -1, 0, 1, 0, 0, 0, 0, 1}};
   return field;
 }
 
 inline GoldenSource image(std::string name) {
   const SampledField plane = sampled(std::move(name), {40, 31, 1}, [](double x, double y, double) {
-    return std::round(255 * (0.52 + 0.3 * std::sin(0.41 * x) * std::cos(0.33 * y) + 0.1 * std::sin(0.9 * x + 0.7 * y))) / 255;
+    return std::round(255 * (0.52 + 0.3 * std::sin(0.41 * x) * std::cos(0.33 * y) +
+                             0.1 * std::sin(0.9 * x + 0.7 * y))) /
+           255;
   });
   EncodeOptions options = withBound(0.02);
   options.isovalue = 0.5;
-  return {plane.name, [=](std::vector<std::byte>& out) { return encode(Image{plane.samples, {40, 31}}, options, out); }};
+  return {plane.name, [=](std::vector<std::byte>& out) {
+            return encode(Image{plane.samples, {40, 31}}, options, out);
+          }};
 }
 
 /// The third axis holds four frames of eleven planes each: a ball that grows.
 inline GoldenSource sequence(std::string name) {
-  const SampledField frames = sampled(std::move(name), {12, 10, 44}, [](double x, double y, double z) {
-    const double t = std::floor(z / 11);
-    return 2.2 + 0.6 * t - std::hypot(x - 5.6, y - 4.7, z - 11 * t - 5.1);
-  });
-  return {frames.name, [=](std::vector<std::byte>& out) { return encode(Sequence{frames.samples, {12, 10, 11}, 4, {}}, withBound(0.1), out); }};
+  const SampledField frames =
+      sampled(std::move(name), {12, 10, 44}, [](double x, double y, double z) {
+        const double t = std::floor(z / 11);
+        return 2.2 + 0.6 * t - std::hypot(x - 5.6, y - 4.7, z - 11 * t - 5.1);
+      });
+  return {frames.name, [=](std::vector<std::byte>& out) {
+            return encode(Sequence{frames.samples, {12, 10, 11}, 4, {}}, withBound(0.1), out);
+          }};
 }
 
 }  // namespace golden
 
 inline std::vector<GoldenSource> goldenSources() {
   const Size cube{17, 16, 18}, large{40, 33, 36};
-  std::vector<GoldenSource> sources{golden::of(sampled("sphere", cube, sphere(cube)), {}), golden::of(golden::knotField("knot"), golden::withBound(0.2))};
+  std::vector<GoldenSource> sources{golden::of(sampled("sphere", cube, sphere(cube)), {}),
+                                    golden::of(golden::knotField("knot"), golden::withBound(0.2))};
   EncodeOptions options;
   options.polygonizer = Polygonizer::Tetrahedra;
   sources.push_back(golden::of(sampled("tetrahedra", {14, 12, 13}, gyroid(13)), options));
@@ -67,7 +79,8 @@ inline std::vector<GoldenSource> goldenSources() {
   options.lossless = false;
   options.furtherIsovalues = {0.4, -0.3};
   sources.push_back(golden::of(sampled("near", cube, torus(cube)), options));
-  sources.push_back(golden::of(within(halfSpace({0.6, 0.48, 0.64}, 12.7), sampled("trimmed", cube, sphere(cube))), {}));
+  sources.push_back(golden::of(
+      within(halfSpace({0.6, 0.48, 0.64}, 12.7), sampled("trimmed", cube, sphere(cube))), {}));
   options = golden::withBound(0.4);
   options.adaptive = true;
   sources.push_back(golden::of(sampled("adaptive", large, sphere(large, 0.4)), options));
@@ -79,7 +92,8 @@ inline std::vector<GoldenSource> goldenSources() {
   sources.push_back(golden::of(sampled("fitted", {24, 20, 22}, gyroid(17)), options));
   sources.push_back(golden::image("image"));
   sources.push_back(golden::sequence("sequence"));
-  sources.push_back(golden::of(sampled("empty", {9, 9, 9}, [](double, double, double) { return -1.0; }), {}));
+  sources.push_back(
+      golden::of(sampled("empty", {9, 9, 9}, [](double, double, double) { return -1.0; }), {}));
   return sources;
 }
 

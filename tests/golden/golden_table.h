@@ -14,7 +14,8 @@ namespace isostar {
 
 inline constexpr const char* kGoldenTable = "surfaces.txt";
 
-/// A surface of a complete stream, made by the stream's own polygonizer, vertices in grid steps; an image's are its contours.
+/// A surface of a complete stream, made by the stream's own polygonizer, vertices in grid steps; an
+/// image's are its contours.
 struct GoldenSurface {
   std::string stream;
   int dimension = 3;
@@ -25,11 +26,13 @@ struct GoldenSurface {
 
   friend bool operator==(const GoldenSurface&, const GoldenSurface&) = default;
   friend std::ostream& operator<<(std::ostream& out, const GoldenSurface& s) {
-    return out << s.stream << ' ' << s.dimension << ' ' << s.bytes << ' ' << s.isovalue << ' ' << s.time << ' ' << s.vertices << ' ' << s.triangles << ' '
-               << std::hex << s.positions << ' ' << s.indices << std::dec;
+    return out << s.stream << ' ' << s.dimension << ' ' << s.bytes << ' ' << s.isovalue << ' '
+               << s.time << ' ' << s.vertices << ' ' << s.indices << ' ' << std::hex << s.positions
+               << ' ' << s.indices << std::dec;
   }
   friend std::istream& operator>>(std::istream& in, GoldenSurface& s) {
-    return in >> s.stream >> s.dimension >> s.bytes >> s.isovalue >> s.time >> s.vertices >> s.triangles >> std::hex >> s.positions >> s.indices >> std::dec;
+    return in >> s.stream >> s.dimension >> s.bytes >> s.isovalue >> s.time >> s.vertices >>
+           s.indices >> std::hex >> s.positions >> s.indices >> std::dec;
   }
 };
 
@@ -37,7 +40,8 @@ struct GoldenSurface {
 class Fnv {
  public:
   void add(uint32_t number) {
-    for (int shift = 0; shift < 32; shift += 8) sum_ = (sum_ ^ (number >> shift & 0xFF)) * 16777619u;
+    for (int shift = 0; shift < 32; shift += 8)
+      sum_ = (sum_ ^ (number >> shift & 0xFF)) * 16777619u;
   }
   [[nodiscard]] uint32_t sum() const { return sum_; }
 
@@ -48,7 +52,8 @@ class Fnv {
 /// Of coordinates to the nearest 1/1024 of a grid step.
 inline uint32_t checksumOf(const std::vector<float>& coordinates) {
   Fnv fnv;
-  for (const float c : coordinates) fnv.add(static_cast<uint32_t>(static_cast<int32_t>(std::floor(double{c} * 1024 + 0.5))));
+  for (const float c : coordinates)
+    fnv.add(static_cast<uint32_t>(static_cast<int32_t>(std::floor(double{c} * 1024 + 0.5))));
   return fnv.sum();
 }
 inline uint32_t checksumOf(const std::vector<uint32_t>& indices) {
@@ -59,12 +64,13 @@ inline uint32_t checksumOf(const std::vector<uint32_t>& indices) {
 
 /// False where a surface cannot be made.
 inline bool measure(const Decoder& decoder, GoldenSurface& surface) {
-  const MeshOptions options{decoder.info().polygonizer, Frame::Grid, false, surface.time, surface.isovalue};
+  const MeshOptions options{decoder.info().polygonizer, Frame::Grid, false, surface.time,
+                            surface.isovalue};
   if (surface.dimension == 2) {
     Contours contours;
     if (decoder.contours(options, contours) != Error::None) return false;
     surface.vertices = contours.points.size() / 2;
-    surface.triangles = contours.starts.empty() ? 0 : contours.starts.size() - 1;
+    surface.indices = contours.starts.empty() ? 0 : contours.starts.size() - 1;
     surface.positions = checksumOf(contours.points);
     surface.indices = checksumOf(contours.starts);
     return true;
@@ -72,14 +78,16 @@ inline bool measure(const Decoder& decoder, GoldenSurface& surface) {
   Mesh mesh;
   if (decoder.mesh(options, mesh) != Error::None) return false;
   surface.vertices = mesh.positions.size() / 3;
-  surface.triangles = mesh.triangles.size() / 3;
+  surface.indices = mesh.indices.size() / 3;
   surface.positions = checksumOf(mesh.positions);
-  surface.indices = checksumOf(mesh.triangles);
+  surface.indices = checksumOf(mesh.indices);
   return true;
 }
 
-/// All surfaces of a stream: of each isovalue, of the first and the last frame. None if it does not decode to its end.
-inline std::vector<GoldenSurface> surfacesOf(const std::string& name, const std::vector<std::byte>& stream) {
+/// All surfaces of a stream: of each isovalue, of the first and the last frame. None if it does not
+/// decode to its end.
+inline std::vector<GoldenSurface> surfacesOf(const std::string& name,
+                                             const std::vector<std::byte>& stream) {
   Decoder decoder;
   decoder.accept(stream);
   decoder.finish();

@@ -1,4 +1,5 @@
-// Streams of yesterday decode to yesterday's surfaces. See README.md before one of these is changed.
+// Streams of yesterday decode to yesterday's surfaces. See README.md before one of these is
+// changed.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -12,7 +13,9 @@ namespace {
 
 const std::string kFolder = ISOSTAR_GOLDEN;
 
-std::string pathOf(const std::string& name) { return kFolder + "/" + name + ".isostar"; }
+std::string pathOf(const std::string& name) {
+  return kFolder + "/" + name + ".isostar";
+}
 
 TEST(Golden, streamsDecodeToTheSurfacesOfTheTable) {
   const auto table = goldenTable(kFolder + "/" + kGoldenTable);
@@ -33,7 +36,8 @@ TEST(Golden, streamsDecodeToTheSurfacesOfTheTable) {
 TEST(Golden, eachPartOfTheFormatHasAStream) {
   const auto table = goldenTable(kFolder + "/" + kGoldenTable);
   std::set<int> dimensions;
-  bool lossless = false, tetrahedra = false, adaptive = false, topology = false, near = false, placed = false, trimmed = false, fitted = false;
+  bool lossless = false, tetrahedra = false, adaptive = false, topology = false, near = false,
+       placed = false, trimmed = false, fitted = false;
   for (const GoldenSurface& row : table) {
     const auto bytes = goldenBytes(pathOf(row.stream));
     EXPECT_LE(bytes.size(), 3000u) << row.stream;
@@ -51,7 +55,8 @@ TEST(Golden, eachPartOfTheFormatHasAStream) {
     placed = placed || info.placement.direction != Placement().direction;
   }
   EXPECT_EQ(dimensions, (std::set{2, 3, 4}));
-  EXPECT_TRUE(lossless && tetrahedra && adaptive && topology && near && placed && trimmed && fitted);
+  EXPECT_TRUE(lossless && tetrahedra && adaptive && topology && near && placed && trimmed &&
+              fitted);
 }
 
 /// No error: an encoder may become better. But nobody should change what it writes without knowing.
@@ -61,7 +66,9 @@ TEST(Golden, itIsSaidWhereTheEncoderWritesOtherBytesNow) {
     ASSERT_EQ(source.encode(today), Error::None) << source.name;
     EXPECT_FALSE(surfacesOf(source.name, today).empty()) << source.name;
     const auto then = goldenBytes(pathOf(source.name));
-    if (today != then) std::cout << "Note: the encoder writes " << source.name << " differently now, " << then.size() << " bytes then, " << today.size() << " now\n";
+    if (today != then)
+      std::cout << "Note: the encoder writes " << source.name << " differently now, " << then.size()
+                << " bytes then, " << today.size() << " now\n";
   }
 }
 

@@ -49,7 +49,8 @@ TEST(AdaptiveDamage, streamsOfOneTopologyAreHarmlessLikewise) {
   const Anatomy anatomy(good);
   ASSERT_TRUE(anatomy.header.keepsTopology);
   // The signs, densely; then all of it.
-  expectHarmless(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(anatomy.layers[3].end)), 53);
+  expectHarmless(
+      Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(anatomy.layers[3].end)), 53);
   expectHarmless(good, 997);
 }
 

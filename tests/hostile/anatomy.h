@@ -1,8 +1,9 @@
-// Where things are in a stream, so that one can be damaged in a known place and its checksums repaired.
+// Where things are in a stream, so that one can be damaged in a known place and its checksums
+// repaired.
 #pragma once
 
-#include "property/round_trip.h"
 #include "container/stream.h"
+#include "property/round_trip.h"
 
 namespace isostar {
 
@@ -29,20 +30,23 @@ struct Anatomy {
 };
 
 inline void putChecksum(Bytes& bytes, std::size_t at, std::size_t length, uint32_t sum) {
-  for (std::size_t i = 0; i < length; ++i) bytes[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
+  for (std::size_t i = 0; i < length; ++i)
+    bytes[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
 }
 
 /// The same damage under checksums that are right again, where the stream was as `anatomy` says.
 inline Bytes repaired(Bytes bytes, const Anatomy& anatomy) {
   const std::span<const std::byte> all(bytes);
   constexpr std::size_t kMagic = 3, kSum = 2;
-  putChecksum(bytes, anatomy.headerEnd - kSum, kSum, checksum(all.subspan(kMagic, anatomy.headerEnd - kMagic - kSum)));
+  putChecksum(bytes, anatomy.headerEnd - kSum, kSum,
+              checksum(all.subspan(kMagic, anatomy.headerEnd - kMagic - kSum)));
   for (const auto& layer : anatomy.layers) {
     LayerHead head;
     std::size_t used = 0;
     if (read(all.subspan(layer.head), anatomy.header, head, used) != Error::None) continue;
     const std::size_t length = layer.end - layer.payload, sum = length < 1024 ? 2 : 4;
-    putChecksum(bytes, layer.payload - sum, sum, checksum(head, all.subspan(layer.payload, length)));
+    putChecksum(bytes, layer.payload - sum, sum,
+                checksum(head, all.subspan(layer.payload, length)));
   }
   return bytes;
 }

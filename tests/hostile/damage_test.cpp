@@ -7,7 +7,8 @@ namespace {
 
 std::vector<SampledField> smallFields() {
   const Size size{9, 8, 10};
-  return {sampled("sphere", size, sphere(size)), sampled("whole numbers", {5, 4, 6}, [](double x, double y, double z) {
+  return {sampled("sphere", size, sphere(size)),
+          sampled("whole numbers", {5, 4, 6}, [](double x, double y, double z) {
             return std::round(100 * gyroid(7)(x, y, z));
           })};
 }
@@ -30,7 +31,7 @@ TEST(Damage, aChangedBitIsNoticedOrChangesNoSurface) {
       const Decoder decoder = harmlesslyDecoded(bytes);
       if (decoder.error() != Error::None) return;
       const Mesh mesh = meshOf(decoder);
-      EXPECT_TRUE(mesh.triangles == expected.triangles && mesh.positions == expected.positions)
+      EXPECT_TRUE(mesh.indices == expected.indices && mesh.positions == expected.positions)
           << described(field) << ", bit " << bit % 8 << " of byte " << bit / 8;
     });
   }
@@ -80,7 +81,9 @@ TEST(Damage, whereADomainEndsIsHarmlessToo) {
   expectHarmlessFlips(field, options);
   options.polygonizer = Polygonizer::Tetrahedra;
   options.lossless = true;
-  expectHarmlessFlips(within([](double x, double y, double z) { return noise(7)(x, y, z); }, smallFields()[1]), options);
+  expectHarmlessFlips(
+      within([](double x, double y, double z) { return noise(7)(x, y, z); }, smallFields()[1]),
+      options);
 }
 
 TEST(Damage, aLayerThatIsBadLeavesTheOnesBefore) {

@@ -40,7 +40,8 @@ TEST(HostileDimensions, flippedBitsAreHarmless) {
 TEST(HostileDimensions, noiseIsHarmless) {
   std::mt19937_64 random(4);
   for (const int dimension : {2, 4}) {
-    for (const Coordinates<4>& size : {Coordinates<4>{9, 9, 9, 9}, {1 << 10, 1 << 10, 1, 2}, {2, 3, 40, 1}, {60, 5, 30, 20}}) {
+    for (const Coordinates<4>& size :
+         {Coordinates<4>{9, 9, 9, 9}, {1 << 10, 1 << 10, 1, 2}, {2, 3, 40, 1}, {60, 5, 30, 20}}) {
       Header header;
       header.dimension = dimension;
       header.size = size;
@@ -48,7 +49,10 @@ TEST(HostileDimensions, noiseIsHarmless) {
       std::vector<std::pair<LayerHead, Bytes>> layers;
       for (int level = 0; level <= header.finestLevel() + 4; ++level) {
         const int further = level - header.finestLevel();
-        const LayerKind kind = level == 0 ? LayerKind::Base : further <= 0 ? LayerKind::Refinement : further == 1 ? LayerKind::Displacement : LayerKind::Exponents;
+        const LayerKind kind = level == 0     ? LayerKind::Base
+                               : further <= 0 ? LayerKind::Refinement
+                               : further == 1 ? LayerKind::Displacement
+                                              : LayerKind::Exponents;
         Bytes payload(100);
         for (std::byte& b : payload) b = static_cast<std::byte>(random());
         if (kind == LayerKind::Displacement) payload[0] = std::byte{63 * 4 + 1};

@@ -1,4 +1,5 @@
-// Displacements that no encoder tells: any cubes and steps, as often as one likes and in any order, in each dimension.
+// Displacements that no encoder tells: any cubes and steps, as often as one likes and in any order,
+// in each dimension.
 #include "harmless.h"
 #include "made_up.h"
 
@@ -9,7 +10,9 @@ namespace {
 Header boxOf(int dimension) {
   Header header;
   header.dimension = dimension;
-  header.size = dimension == 2 ? std::array{30, 21, 1, 1} : dimension == 3 ? std::array{17, 12, 22, 1} : std::array{9, 12, 7, 6};
+  header.size = dimension == 2   ? std::array{30, 21, 1, 1}
+                : dimension == 3 ? std::array{17, 12, 22, 1}
+                                 : std::array{9, 12, 7, 6};
   header.countWhole(1);
   return header;
 }
@@ -31,7 +34,9 @@ template <int D>
 GeometryPass<D> anyPass(std::mt19937_64& random, bool displaced) {
   const auto below = [&](uint64_t end) { return static_cast<int>(random() % end); };
   GeometryPass<D> pass;
-  pass.kind = displaced && below(2) == 0 ? LayerKind::Displacement : below(2) == 0 ? LayerKind::Exponents : LayerKind::Magnitudes;
+  pass.kind = displaced && below(2) == 0 ? LayerKind::Displacement
+              : below(2) == 0            ? LayerKind::Exponents
+                                         : LayerKind::Magnitudes;
   pass.members = static_cast<Members>(below(2));
   pass.depth = below(6);
   pass.allowed.fill(static_cast<uint32_t>(1 << below(20)));
@@ -49,7 +54,8 @@ Bytes anyStream(const Header& header, uint64_t seed) {
   for (auto& pass : passes) pass = anyPass<D>(random, true);
   for (auto& pass : further) pass = anyPass<D>(random, false);
   const double rate = std::array{0.5, 1.0, 0.1, 0.9}[seed % 4];
-  return madeUp<D>(header, passes, further, [&](auto code) { return thrown<D>(random(), rate, code); });
+  return madeUp<D>(header, passes, further,
+                   [&](auto code) { return thrown<D>(random(), rate, code); });
 }
 
 template <int D>
@@ -92,8 +98,10 @@ TEST(HostileDisplacements, tornAnywhereTheyAreHarmless) {
 Bytes displacedByNoise(double rate, std::size_t length) {
   constexpr int kLayersBefore = 4;
   int layer = 0;
-  return madeUp<3>(boxOf(3), {{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 1}}}, {},
-                   [&](auto code) { return layer++ < kLayersBefore ? thrown<3>(1, rate, code) : noiseOf(length, length); });
+  return madeUp<3>(
+      boxOf(3), {{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 1}}}, {}, [&](auto code) {
+        return layer++ < kLayersBefore ? thrown<3>(1, rate, code) : noiseOf(length, length);
+      });
 }
 
 TEST(HostileDisplacements, fieldsAreWithinTheirRange) {
@@ -102,7 +110,9 @@ TEST(HostileDisplacements, fieldsAreWithinTheirRange) {
   for (unsigned field = 0; field < 256; ++field) {
     Bytes bytes = good;
     bytes[anatomy.layers.back().payload] = static_cast<std::byte>(field);
-    EXPECT_EQ(decoderOf(repaired(bytes, anatomy)).error(), (field & 3) == 0 || field >> 2 == 0 ? Error::Corrupt : Error::None) << field;
+    EXPECT_EQ(decoderOf(repaired(bytes, anatomy)).error(),
+              (field & 3) == 0 || field >> 2 == 0 ? Error::Corrupt : Error::None)
+        << field;
   }
 }
 
@@ -110,8 +120,11 @@ TEST(HostileDisplacements, areNotOfAdaptiveMeshes) {
   Header header = boxOf(3);
   header.size = {5, 5, 5, 1};  // the base alone
   header.adaptive = true;
-  const Bytes dice = thrown<3>(1, 0.5, [&](auto& exchange) { AdaptiveMesh<3>(header.base<3>()).base(exchange); });
-  const Bytes bytes = assembled(header, {{{LayerKind::Base, 0, 0, 0, 0}, dice}, {{LayerKind::Displacement, 0, 0, 0, 0}, Bytes(20, std::byte{5})}});
+  const Bytes dice =
+      thrown<3>(1, 0.5, [&](auto& exchange) { AdaptiveMesh<3>(header.base<3>()).base(exchange); });
+  const Bytes bytes =
+      assembled(header, {{{LayerKind::Base, 0, 0, 0, 0}, dice},
+                         {{LayerKind::Displacement, 0, 0, 0, 0}, Bytes(20, std::byte{5})}});
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::Corrupt);
 }
 
@@ -125,7 +138,9 @@ TEST(HostileDisplacements, ofNoSurfaceAreNone) {
 
 /// Answers as far as they can be, one way or the other.
 struct FarField : NoScalars {
-  [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const { return (brickIndex + block) % 3 == 0 ? -4 : 4; }
+  [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const {
+    return (brickIndex + block) % 3 == 0 ? -4 : 4;
+  }
 };
 
 template <int D>
@@ -133,16 +148,19 @@ void expectHarmlessWhereFarthest() {
   const Header header = boxOf(D);
   std::vector<std::pair<LayerHead, Bytes>> layers;
   CodecState<D> known(header);
-  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<D>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
+  layers.push_back({{LayerKind::Base, 0, 0, 0, 0},
+                    thrown<D>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
   for (int level = 1; level <= header.finestLevel(); ++level) {
-    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0}, thrown<D>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
+    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0},
+                      thrown<D>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
   }
   GeometryPass<D> pass;
   pass.kind = LayerKind::Displacement;
   pass.displacement = {1, 63};
   for (int i = 0; i < 3; ++i) {
     Bytes bytes = fieldsOf<D>(pass);
-    const Bytes far = coded(known.signs, FarField(), [&](auto& exchange) { known.geometry(exchange, pass); });
+    const Bytes far =
+        coded(known.signs, FarField(), [&](auto& exchange) { known.geometry(exchange, pass); });
     bytes.insert(bytes.end(), far.begin(), far.end());
     layers.push_back({{LayerKind::Displacement, header.finestLevel(), 0, 0, 0}, bytes});
   }
@@ -155,12 +173,16 @@ TEST(HostileDisplacements, theFarthestAreShown) {
   expectHarmlessWhereFarthest<4>();
 }
 
-void expectWithinMemory(const Header& header, double rate, const std::vector<GeometryPass<3>>& passes, std::size_t least, std::size_t most, std::size_t step) {
+void expectWithinMemory(const Header& header, double rate,
+                        const std::vector<GeometryPass<3>>& passes, std::size_t least,
+                        std::size_t most, std::size_t step) {
   uint64_t seed = 5;
-  const Bytes bytes = madeUp<3>(header, passes, {}, [&](auto code) { return thrown<3>(++seed, rate, code); });
+  const Bytes bytes =
+      madeUp<3>(header, passes, {}, [&](auto code) { return thrown<3>(++seed, rate, code); });
   for (std::size_t memory = least; memory <= most; memory += step) {
     Error error;
-    EXPECT_LE(peakOf(bytes, {1u << 26, 1u << 26, memory}, error), memory + kModels + bytes.size()) << memory << (header.keepsTopology ? " bytes, welded" : " bytes");
+    EXPECT_LE(peakOf(bytes, {1u << 26, 1u << 26, memory}, error), memory + kModels + bytes.size())
+        << memory << (header.keepsTopology ? " bytes, welded" : " bytes");
     EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
   }
 }
@@ -168,16 +190,19 @@ void expectWithinMemory(const Header& header, double rate, const std::vector<Geo
 /// Before and after scalars, of as much surface as there can be and of a table without any.
 TEST(HostileDisplacements, stayWithinTheMemoryAllowed) {
   constexpr std::size_t kMegabyte = 1u << 20;
-  const GeometryPass<3> displacement{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 20}}, exponents{};
+  const GeometryPass<3> displacement{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 20}},
+      exponents{};
   Header header = boxOf(3);
   for (const bool welded : {false, true}) {
     header.size = {50, 60, 40, 1};
     header.keepsTopology = welded;
-    expectWithinMemory(header, 0.5, {displacement, exponents, displacement}, kMegabyte / 2, 3 * kMegabyte, kMegabyte / 2);
+    expectWithinMemory(header, 0.5, {displacement, exponents, displacement}, kMegabyte / 2,
+                       3 * kMegabyte, kMegabyte / 2);
   }
   header.size = {2, 2, 1 << 23, 1};
   header.keepsTopology = false;
-  expectWithinMemory(header, 0, {exponents, displacement}, 11 * kMegabyte, 17 * kMegabyte, 2 * kMegabyte);
+  expectWithinMemory(header, 0, {exponents, displacement}, 11 * kMegabyte, 17 * kMegabyte,
+                     2 * kMegabyte);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What a decoder may do with any bytes: show sound surfaces within its limits, and say what is wrong.
+// What a decoder may do with any bytes: show sound surfaces within its limits, and say what is
+// wrong.
 #pragma once
 
 #include "property/round_trip.h"
@@ -17,7 +18,8 @@ inline std::vector<double> isovaluesToShow(const StreamInfo& info) {
 }
 
 /// Makes the surface that is asked for, or the contours: sound, or larger than the limits.
-inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options, const Limits& limits) {
+inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options,
+                           const Limits& limits) {
   if (decoder.info().dimension == 2) {
     Contours contours;
     const Error error = decoder.contours(options, contours);

@@ -53,9 +53,9 @@ TEST(HostileHeader, otherVersions) {
 }
 
 TEST(HostileHeader, sizesBeyondTheLimits) {
-  for (const Size& size :
-       {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27}, Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
-        Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
+  for (const Size& size : {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27},
+                           Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
+                           Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
     Header header = plausible();
     header.size = {size[0], size[1], size[2], 1};
     EXPECT_EQ(errorOf(header), Error::OverLimit) << testing::PrintToString(size);
@@ -84,7 +84,8 @@ TEST(HostileHeader, sizesOfOtherDimensions) {
 }
 
 TEST(HostileHeader, numbersThatAreNone) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
   for (double bad : {nan, infinity, -infinity}) {
     std::vector<Header> headers(5, plausible());
     headers[0].isovalue = bad;
@@ -92,7 +93,8 @@ TEST(HostileHeader, numbersThatAreNone) {
     headers[2].placement.spacing[0] = bad;
     headers[3].placement.origin[1] = bad;
     headers[4].placement.direction[5] = bad;
-    for (std::size_t i = 0; i < headers.size(); ++i) EXPECT_EQ(errorOf(headers[i]), Error::Corrupt) << i << ": " << bad;
+    for (std::size_t i = 0; i < headers.size(); ++i)
+      EXPECT_EQ(errorOf(headers[i]), Error::Corrupt) << i << ": " << bad;
   }
   for (double bad : {0.0, -1.0}) {
     Header header = plausible();
@@ -133,7 +135,9 @@ TEST(HostileHeader, layersOfIsovaluesInADisorder) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
   for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
     const auto& at = anatomy.layers[i];
-    layers.emplace_back(anatomy.heads[i], Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload), good.begin() + static_cast<std::ptrdiff_t>(at.end)));
+    layers.emplace_back(anatomy.heads[i],
+                        Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
+                              good.begin() + static_cast<std::ptrdiff_t>(at.end)));
   }
   for (std::size_t i = 0; i < layers.size(); ++i) {
     for (int number = 0; number < 4; ++number) {
@@ -156,8 +160,9 @@ TEST(HostileHeader, layersInADisorder) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
   for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
     const auto& at = anatomy.layers[i];
-    layers.emplace_back(anatomy.heads[i], Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
-                                                good.begin() + static_cast<std::ptrdiff_t>(at.end)));
+    layers.emplace_back(anatomy.heads[i],
+                        Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
+                              good.begin() + static_cast<std::ptrdiff_t>(at.end)));
   }
   ASSERT_EQ(assembled(anatomy.header, layers), good);
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -171,7 +176,8 @@ TEST(HostileHeader, layersInADisorder) {
     if (anatomy.heads[i].level == anatomy.header.finestLevel() && i > 0 &&
         anatomy.heads[i - 1].level == anatomy.header.finestLevel())
       continue;
-    EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt) << "layer " << i << " twice";
+    EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt)
+        << "layer " << i << " twice";
   }
   for (int kind = 0; kind < 4; ++kind) {
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -205,7 +211,8 @@ TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
 }
 
 TEST(HostileHeader, moreLayersThanThereAre) {
-  std::vector<std::pair<LayerHead, Bytes>> layers(1000, {LayerHead{LayerKind::Base, 0, 0}, Bytes(4)});
+  std::vector<std::pair<LayerHead, Bytes>> layers(1000,
+                                                  {LayerHead{LayerKind::Base, 0, 0}, Bytes(4)});
   for (std::size_t i = 1; i < layers.size(); ++i) layers[i].first.kind = LayerKind::Exponents;
   const Bytes bytes = assembled(plausible(), layers);
   EXPECT_EQ(errorOf(bytes), Error::Corrupt);

@@ -1,4 +1,5 @@
-// Streams that no encoder writes: layers of any bytes, or of answers thrown by dice, in a right order and behind right checksums.
+// Streams that no encoder writes: layers of any bytes, or of answers thrown by dice, in a right
+// order and behind right checksums.
 #pragma once
 
 #include <random>
@@ -25,10 +26,11 @@ Bytes fieldsOf(const GeometryPass<D>& pass) {
   return bytes;
 }
 
-/// A base, all octaves, where the domain ends, the passes; of each further isovalue its signs and the passes `further`.
-/// `payload(tell)` makes what stands behind a layer's fields.
+/// A base, all octaves, where the domain ends, the passes; of each further isovalue its signs and
+/// the passes `further`. `payload(tell)` makes what stands behind a layer's fields.
 template <int D, class Payload>
-Bytes madeUp(const Header& header, const std::vector<GeometryPass<D>>& passes, const std::vector<GeometryPass<D>>& further, Payload payload) {
+Bytes madeUp(const Header& header, const std::vector<GeometryPass<D>>& passes,
+             const std::vector<GeometryPass<D>>& further, Payload payload) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
   CodecState<D> known(header);
   const auto add = [&](LayerKind kind, int level, Bytes bytes, auto code) {
@@ -37,21 +39,29 @@ Bytes madeUp(const Header& header, const std::vector<GeometryPass<D>>& passes, c
     layers.push_back({{kind, level, 0.1, 0, 0}, bytes});
   };
   add(LayerKind::Base, 0, {}, [&](auto& exchange) { known.base(exchange); });
-  for (int level = 1; level <= header.finestLevel(); ++level) add(LayerKind::Refinement, level, {}, [&](auto& exchange) { known.refine(exchange); });
-  if (header.trimmed) add(LayerKind::Domain, header.finestLevel(), {}, [&](auto& exchange) { known.codeDomain(exchange); });
-  for (const auto& pass : passes) add(pass.kind, header.finestLevel(), fieldsOf<D>(pass), [&](auto& exchange) { known.geometry(exchange, pass); });
+  for (int level = 1; level <= header.finestLevel(); ++level)
+    add(LayerKind::Refinement, level, {}, [&](auto& exchange) { known.refine(exchange); });
+  if (header.trimmed)
+    add(LayerKind::Domain, header.finestLevel(), {},
+        [&](auto& exchange) { known.codeDomain(exchange); });
+  for (const auto& pass : passes)
+    add(pass.kind, header.finestLevel(), fieldsOf<D>(pass),
+        [&](auto& exchange) { known.geometry(exchange, pass); });
   for (int number = 1; number <= static_cast<int>(header.furtherIsovalues.size()); ++number) {
-    add(LayerKind::FurtherSigns, number, {}, [&](auto& exchange) { known.furtherSigns(exchange, number); });
+    add(LayerKind::FurtherSigns, number, {},
+        [&](auto& exchange) { known.furtherSigns(exchange, number); });
     for (const auto& pass : further) {
       Bytes bytes = fieldsOf<D>(pass);
       bytes.insert(bytes.begin(), static_cast<std::byte>(pass.kind));
-      add(LayerKind::FurtherGeometry, number, bytes, [&](auto& exchange) { known.furtherGeometry(exchange, pass); });
+      add(LayerKind::FurtherGeometry, number, bytes,
+          [&](auto& exchange) { known.furtherGeometry(exchange, pass); });
     }
   }
   return assembled(header, layers);
 }
 
-/// What a decoder of volumes holds beside what is counted: its models, and the bytes that it was fed.
+/// What a decoder of volumes holds beside what is counted: its models, and the bytes that it was
+/// fed.
 inline constexpr std::size_t kModels = 9u << 18;
 
 /// The most bytes held while all is decoded, and both surfaces are made after each layer.

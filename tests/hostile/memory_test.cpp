@@ -6,8 +6,8 @@
 namespace isostar {
 namespace {
 
-/// What a decoder takes beside what is counted, the header's description included: its models, by dimension, and once more those
-/// of a mesh that is filled.
+/// What a decoder takes beside what is counted, the header's description included: its models, by
+/// dimension, and once more those of a mesh that is filled.
 constexpr std::array<std::size_t, 5> kUncounted{0, 0, 1u << 20, 11u << 17, 4u << 20};
 constexpr std::size_t kUncountedOfMesh = 1u << 20;
 constexpr std::size_t kMostModels = 4u << 20;  // as Limits says
@@ -20,7 +20,8 @@ struct Spent {
 bool isTooLarge(const Decoder& decoder, const MeshOptions& options) {
   Mesh mesh;
   Contours contours;
-  const Error error = decoder.info().dimension == 2 ? decoder.contours(options, contours) : decoder.mesh(options, mesh);
+  const Error error = decoder.info().dimension == 2 ? decoder.contours(options, contours)
+                                                    : decoder.mesh(options, mesh);
   EXPECT_TRUE(error == Error::None || error == Error::OverLimit) << name(error);
   return error == Error::OverLimit;
 }
@@ -45,19 +46,23 @@ Spent spentOn(const Bytes& bytes, std::size_t memory) {
       exhausted.overLimit = exhausted.overLimit || coded || between;
     }
   }
-  EXPECT_TRUE(decoder.isFinal() || decoder.error() == Error::Truncated || decoder.error() == Error::OverLimit) << name(decoder.error());
+  EXPECT_TRUE(decoder.isFinal() || decoder.error() == Error::Truncated ||
+              decoder.error() == Error::OverLimit)
+      << name(decoder.error());
   exhausted.overLimit = exhausted.overLimit || decoder.error() == Error::OverLimit;
   exhausted.peak = allocation.peak();
   return exhausted;
 }
 
 void expectWithin(const Bytes& bytes, int dimension, std::size_t uncounted = 0) {
-  const std::size_t beside = kUncounted[static_cast<std::size_t>(dimension)] + uncounted + bytes.size();
+  const std::size_t beside =
+      kUncounted[static_cast<std::size_t>(dimension)] + uncounted + bytes.size();
   const Spent free = spentOn(bytes, SIZE_MAX);
   EXPECT_FALSE(free.overLimit);
   for (std::size_t memory = free.peak / 48; memory < free.peak; memory += 2 * memory - memory / 5) {
     const Spent exhausted = spentOn(bytes, memory);
-    EXPECT_LE(exhausted.peak, memory + beside) << memory << " bytes allowed; " << free.peak << " would be used";
+    EXPECT_LE(exhausted.peak, memory + beside)
+        << memory << " bytes allowed; " << free.peak << " would be used";
     EXPECT_TRUE(exhausted.overLimit || memory + beside >= free.peak) << memory;
   }
   // What must be counted beforehand is at most this much more than what is used.
@@ -68,8 +73,9 @@ TEST(HostileMemory, volumes) {
   EncodeOptions options;
   options.lossless = true;
   const Size cube{50, 61, 57}, flat{300, 3, 250};
-  for (const auto& field : {sampled("gyroid", cube, gyroid()), sampled("sphere", cube, sphere(cube)), sampled("noise", {30, 24, 28}, noise()),
-                            sampled("flat", flat, gyroid())}) {
+  for (const auto& field :
+       {sampled("gyroid", cube, gyroid()), sampled("sphere", cube, sphere(cube)),
+        sampled("noise", {30, 24, 28}, noise()), sampled("flat", flat, gyroid())}) {
     SCOPED_TRACE(described(field));
     expectWithin(encoded(field, options), 3);
     options.polygonizer = Polygonizer::Tetrahedra;
@@ -108,7 +114,7 @@ TEST(HostileMemory, whatWasSoundIsStillShown) {
       EXPECT_EQ(decoder.level(), before.level()) << memory;
       Mesh mesh;
       if (decoder.mesh({}, mesh) != Error::None || adaptive) continue;
-      EXPECT_EQ(mesh.triangles, meshOf(before).triangles) << memory;
+      EXPECT_EQ(mesh.indices, meshOf(before).indices) << memory;
     }
   }
 }
@@ -118,7 +124,8 @@ TEST(HostileMemory, adaptiveVolumes) {
   options.adaptive = true;
   options.maxError = 0.3;
   const Size size{70, 61, 66};
-  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("gyroid", size, gyroid(31))}) {
+  for (const auto& field :
+       {sampled("sphere", size, sphere(size)), sampled("gyroid", size, gyroid(31))}) {
     SCOPED_TRACE(described(field));
     expectWithin(encoded(field, options), 3);
   }
@@ -128,9 +135,11 @@ TEST(HostileMemory, streamsOfOneTopology) {
   EncodeOptions options;
   options.preserveTopology = true;
   const Size size{50, 61, 57};
-  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("gyroid", size, gyroid(23)), sampled("rough", size, [](double x, double y, double z) {
-         return gyroid(23)(x, y, z) + 0.4 * noise(3)(x, y, z);
-       })}) {
+  for (const auto& field :
+       {sampled("sphere", size, sphere(size)), sampled("gyroid", size, gyroid(23)),
+        sampled("rough", size, [](double x, double y, double z) {
+          return gyroid(23)(x, y, z) + 0.4 * noise(3)(x, y, z);
+        })}) {
     SCOPED_TRACE(described(field));
     expectWithin(encoded(field, options), 3, kUncountedOfMesh);
   }
@@ -147,7 +156,9 @@ Bytes sequence() {
   const Size size{25, 19, 30};
   std::vector<float> samples;
   for (int t = 0; t < 12; ++t) {
-    const SampledField frame = sampled("frame", size, [=](double x, double y, double z) { return gyroid(13)(x + t, y, z - 0.3 * t); });
+    const SampledField frame = sampled("frame", size, [=](double x, double y, double z) {
+      return gyroid(13)(x + t, y, z - 0.3 * t);
+    });
     samples.insert(samples.end(), frame.samples.begin(), frame.samples.end());
   }
   Bytes bytes;
@@ -159,16 +170,23 @@ TEST(HostileMemory, sequences) {
   expectWithin(sequence(), 4);
 }
 
-/// Of octaves and of displacements that end within: what is told is shown as a mesh, which has models of its own.
+/// Of octaves and of displacements that end within: what is told is shown as a mesh, which has
+/// models of its own.
 TEST(HostileMemory, tornLayers) {
   const Size size{50, 61, 57};
-  for (const auto& [dimension, bytes] :
-       {std::pair{2, encoded(imagesOf({300, 250})[3])}, {3, encoded(sampled("gyroid", size, gyroid(17)))}, {4, sequence()}}) {
+  for (const auto& [dimension, bytes] : {std::pair{2, encoded(imagesOf({300, 250})[3])},
+                                         {3, encoded(sampled("gyroid", size, gyroid(17)))},
+                                         {4, sequence()}}) {
     for (const LayerInfo& layer : infoOf(bytes).layers) {
-      const Bytes prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(layer.offset - layer.bytes / 4));
-      const std::size_t beside = std::min(kUncounted[static_cast<std::size_t>(dimension)] + kUncountedOfMesh, kMostModels) + prefix.size();
+      const Bytes prefix(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(
+                                                            layer.offset - layer.bytes / 4));
+      const std::size_t beside =
+          std::min(kUncounted[static_cast<std::size_t>(dimension)] + kUncountedOfMesh,
+                   kMostModels) +
+          prefix.size();
       for (std::size_t memory = 1u << 16; memory < 16u << 20; memory *= 2) {
-        EXPECT_LE(spentOn(prefix, memory).peak, memory + beside) << dimension << " dimensions, " << layer.kind << ' ' << layer.level << ", " << memory;
+        EXPECT_LE(spentOn(prefix, memory).peak, memory + beside)
+            << dimension << " dimensions, " << layer.kind << ' ' << layer.level << ", " << memory;
       }
     }
   }

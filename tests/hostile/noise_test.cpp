@@ -1,4 +1,5 @@
-// Streams whose layers are noise, or answers thrown by dice, behind right checksums: they end, and within the limits.
+// Streams whose layers are noise, or answers thrown by dice, behind right checksums: they end, and
+// within the limits.
 #include <chrono>
 
 #include "allocation.h"
@@ -15,16 +16,21 @@ Header headerOf(const Size& size) {
   return header;
 }
 
-GeometryPass<3> wideOpen(LayerKind kind, Members members) { return {kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false}; }
+GeometryPass<3> wideOpen(LayerKind kind, Members members) {
+  return {kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
+}
 
 /// A base, all octaves, some geometry of each kind.
 template <class Payload>
 Bytes streamOf(const Header& header, Payload payload) {
   std::vector<GeometryPass<3>> passes, further;
-  for (const LayerKind kind : {LayerKind::Displacement, LayerKind::Exponents, LayerKind::Magnitudes, LayerKind::Magnitudes}) {
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) passes.push_back(wideOpen(kind, members));
+  for (const LayerKind kind : {LayerKind::Displacement, LayerKind::Exponents, LayerKind::Magnitudes,
+                               LayerKind::Magnitudes}) {
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds})
+      passes.push_back(wideOpen(kind, members));
   }
-  for (const LayerKind kind : {LayerKind::Exponents, LayerKind::Magnitudes}) further.push_back(wideOpen(kind, Members::AxisEnds));
+  for (const LayerKind kind : {LayerKind::Exponents, LayerKind::Magnitudes})
+    further.push_back(wideOpen(kind, Members::AxisEnds));
   return madeUp<3>(header, passes, further, payload);
 }
 
@@ -61,7 +67,8 @@ const std::vector<Size> kHostileSizes{{9, 9, 9},       {100, 100, 100}, {1, 1 <<
 TEST(HostileNoise, endsSoon) {
   for (const Size& size : kHostileSizes) {
     for (std::size_t length : {0u, 1u, 3u, 20u, 1000u}) {
-      SCOPED_TRACE(testing::PrintToString(size) + ", layers of " + std::to_string(length) + " bytes");
+      SCOPED_TRACE(testing::PrintToString(size) + ", layers of " + std::to_string(length) +
+                   " bytes");
       const auto start = std::chrono::steady_clock::now();
       (void)harmlesslyDecoded(noiseStream(headerOf(size), length, length));
       EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
@@ -88,7 +95,8 @@ TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
     for (uint64_t seed = 0; seed < 8; ++seed) {
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
       const Header header = severalOf(size, seed % 2 == 0);
-      const Decoder decoder = harmlesslyDecoded(diceStream(header, seed, std::array{0.5, 1.0, 0.03, 0.97}[seed / 2]));
+      const Decoder decoder =
+          harmlesslyDecoded(diceStream(header, seed, std::array{0.5, 1.0, 0.03, 0.97}[seed / 2]));
       EXPECT_EQ(decoder.error(), Error::None);
       for (const double isovalue : isovaluesToShow(decoder.info())) {
         MeshOptions options{Polygonizer::Cubes, Frame::Grid, true};
@@ -98,7 +106,8 @@ TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
     }
   }
   for (const Size& size : kHostileSizes) {
-    for (std::size_t length : {0u, 20u, 1000u}) (void)harmlesslyDecoded(noiseStream(severalOf(size), length, length));
+    for (std::size_t length : {0u, 20u, 1000u})
+      (void)harmlesslyDecoded(noiseStream(severalOf(size), length, length));
   }
 }
 
@@ -110,15 +119,19 @@ Bytes adaptiveStreamOf(Header header, Payload payload) {
   AdaptiveField<3> field(header.base<3>());
   for (int level = 0; level <= header.finestLevel(); ++level) {
     const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
-    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& exchange) { level == 0 ? field.mesh.base(exchange) : field.mesh.refine(exchange); })});
+    layers.push_back({{kind, level, 0.1, 0, 0}, payload([&](auto& exchange) {
+                        level == 0 ? field.mesh.base(exchange) : field.mesh.refine(exchange);
+                      })});
   }
   for (int level = 0; level <= header.finestLevel(); ++level) {
     for (const LayerKind kind : {LayerKind::Exponents, LayerKind::Magnitudes}) {
       const GeometryPass<3> pass = wideOpen(kind, Members::AxisEnds);
       Bytes bytes = fieldsOf<3>(pass);
       const Bytes coded = payload([&](auto& exchange) {
-        if (kind == LayerKind::Exponents) field.codeExponents(exchange, pass.depth, header.polygonizer);
-        else field.codeMagnitudes(exchange, pass.magnitudePass(header.fitted));
+        if (kind == LayerKind::Exponents)
+          field.codeExponents(exchange, pass.depth, header.polygonizer);
+        else
+          field.codeMagnitudes(exchange, pass.magnitudePass(header.fitted));
       });
       bytes.insert(bytes.end(), coded.begin(), coded.end());
       layers.push_back({{kind, level, 0.1, 0, 0}, bytes});
@@ -133,10 +146,13 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
       const double rate = std::array{0.5, 1.0, 0.03, 0.97}[seed / 2];
       const auto dice = [&](auto code) { return thrown<3>(++seed * 100, rate, code); };
-      for (const Bytes& bytes : {diceStream(weldedOf(size), seed, rate), diceStream(fittedOf(size), seed, rate), adaptiveStreamOf(fittedOf(size), dice)}) {
+      for (const Bytes& bytes :
+           {diceStream(weldedOf(size), seed, rate), diceStream(fittedOf(size), seed, rate),
+            adaptiveStreamOf(fittedOf(size), dice)}) {
         const Decoder decoder = harmlesslyDecoded(bytes);
         EXPECT_EQ(decoder.error(), Error::None);
-        for (const Polygonizer polygonizer : kPolygonizers) expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
+        for (const Polygonizer polygonizer : kPolygonizers)
+          expectClosed(meshOf(decoder, {polygonizer, Frame::Grid, true}), size);
       }
     }
   }
@@ -145,7 +161,8 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
       uint64_t seed = length;
       (void)harmlesslyDecoded(noiseStream(weldedOf(size), length, seed));
       (void)harmlesslyDecoded(noiseStream(fittedOf(size), length, seed));
-      (void)harmlesslyDecoded(adaptiveStreamOf(headerOf(size), [&](auto) { return noiseOf(length, ++seed); }));
+      (void)harmlesslyDecoded(
+          adaptiveStreamOf(headerOf(size), [&](auto) { return noiseOf(length, ++seed); }));
     }
   }
 }
@@ -162,14 +179,16 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   const Header header = headerOf({9, 9, 9});
   std::vector<std::pair<LayerHead, Bytes>> layers;
   CodecState<3> known(header);
-  layers.push_back({{LayerKind::Base, 0, 0, 0, 0}, thrown<3>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
+  layers.push_back({{LayerKind::Base, 0, 0, 0, 0},
+                    thrown<3>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
   for (int level = 1; level <= header.finestLevel(); ++level) {
-    layers.push_back(
-        {{LayerKind::Refinement, level, 0, 0, 0}, thrown<3>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
+    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0},
+                      thrown<3>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
   }
   const GeometryPass<3> pass{LayerKind::Exponents, Members::AxisEnds, 0, {}, 0, false};
   Bytes geometry = fieldsOf<3>(pass);
-  const Bytes steep = coded(known.signs, SteepField(), [&](auto& exchange) { known.geometry(exchange, pass); });
+  const Bytes steep =
+      coded(known.signs, SteepField(), [&](auto& exchange) { known.geometry(exchange, pass); });
   geometry.insert(geometry.end(), steep.begin(), steep.end());
   layers.push_back({{LayerKind::Exponents, header.finestLevel(), 0, 0, 0}, geometry});
   const Bytes bytes = assembled(header, layers);
@@ -187,7 +206,8 @@ TEST(HostileNoise, staysWithinTheMemoryAllowed) {
           Error error;
           const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
           EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size())
-              << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate << (header.keepsTopology ? ", welded" : "");
+              << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate
+              << (header.keepsTopology ? ", welded" : "");
           EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
         }
       }
@@ -201,7 +221,8 @@ TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
     for (const std::size_t megabytes : {1u, 4u, 16u}) {
       Error error;
       const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
-      EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size()) << testing::PrintToString(size) << ", " << megabytes << " MB";
+      EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size())
+          << testing::PrintToString(size) << ", " << megabytes << " MB";
       EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
     }
   }
@@ -209,15 +230,17 @@ TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
 
 TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
   // All decisions are false: no surface, but a table of bricks for each octave of a huge box.
-  for (const Size& size : {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
+  for (const Size& size :
+       {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
     for (const Header& header : {headerOf(size), weldedOf(size)}) {
       std::vector<std::pair<LayerHead, Bytes>> layers;
       for (int level = 0; level <= header.finestLevel(); ++level) {
-        layers.push_back(
-            {{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, Bytes(20, std::byte{0xFF})});
+        layers.push_back({{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0},
+                          Bytes(20, std::byte{0xFF})});
       }
       Error error;
-      EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error), (1u << 20) + kModels)
+      EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error),
+                (1u << 20) + kModels)
           << testing::PrintToString(size);
       EXPECT_EQ(error, Error::OverLimit) << testing::PrintToString(size);
     }

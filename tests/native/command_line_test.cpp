@@ -23,21 +23,23 @@ struct Outcome {
 class CommandLine : public ScratchFolder {
  protected:
   /// Runs the command in the scratch folder, without a shell.
-  Outcome run(std::vector<std::string> arguments, const std::string& results = "/dev/null/none") const {
+  Outcome run(std::vector<std::string> arguments,
+              const std::string& results = "/dev/null/none") const {
     arguments.insert(arguments.begin(), ISOSTAR_COMMAND);
     const std::string out = results == "/dev/null/none" ? path(".out") : results;
     const pid_t child = ::fork();
     if (child == 0) start(arguments, out);
     int status = 0;
     ::waitpid(child, &status, 0);
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, out == path(".out") ? read(".out") : "",
-                    read(".err")};
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+                    out == path(".out") ? read(".out") : "", read(".err")};
     std::filesystem::remove(path(".out"));
     std::filesystem::remove(path(".err"));
     return outcome;
   }
 
-  /// A fault is one line on standard error, nothing on standard output, and leaves no new file behind.
+  /// A fault is one line on standard error, nothing on standard output, and leaves no new file
+  /// behind.
   std::string expectFault(int status, const std::vector<std::string>& arguments) const {
     const size_t before = fileCount();
     const Outcome outcome = run(arguments);
@@ -54,7 +56,8 @@ class CommandLine : public ScratchFolder {
     std::vector<float> samples;
     for (int k = 0; k < 20; ++k)
       for (int j = 0; j < 20; ++j)
-        for (int i = 0; i < 20; ++i) samples.push_back(static_cast<float>(6 - std::hypot(i - 9.6, j - 9.3, k - 9.5)));
+        for (int i = 0; i < 20; ++i)
+          samples.push_back(static_cast<float>(6 - std::hypot(i - 9.6, j - 9.3, k - 9.5)));
     write("ball.nrrd",
           "NRRD0004\ntype: float\ndimension: 3\nsizes: 20 20 20\nspacings: 1 1 2\nencoding: raw\n"
           "endian: little\n\n" +
@@ -62,7 +65,9 @@ class CommandLine : public ScratchFolder {
     return "ball.nrrd";
   }
 
-  void encodeBall() const { EXPECT_EQ(run({"encode", ball(), "ball.isostar", "--iso", "0"}).status, 0); }
+  void encodeBall() const {
+    EXPECT_EQ(run({"encode", ball(), "ball.isostar", "--iso", "0"}).status, 0);
+  }
 
  private:
   [[noreturn]] void start(const std::vector<std::string>& arguments, const std::string& out) const {
@@ -80,13 +85,14 @@ class CommandLine : public ScratchFolder {
 
 TEST_F(CommandLine, helpsOnStandardOutput) {
   for (const char* command : {"", "encode", "decode", "info", "compare"}) {
-    const Outcome outcome =
-        run(*command ? std::vector<std::string>{command, "--help"} : std::vector<std::string>{"--help"});
+    const Outcome outcome = run(*command ? std::vector<std::string>{command, "--help"}
+                                         : std::vector<std::string>{"--help"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.results.find("Usage: isostar"), std::string::npos);
     EXPECT_EQ(outcome.words, "");
   }
-  EXPECT_NE(run({"encode", "--help"}).results.find("=0.05"), std::string::npos) << "the default bound is shown";
+  EXPECT_NE(run({"encode", "--help"}).results.find("=0.05"), std::string::npos)
+      << "the default bound is shown";
 }
 
 TEST_F(CommandLine, tellsItsVersion) {
@@ -96,9 +102,11 @@ TEST_F(CommandLine, tellsItsVersion) {
 }
 
 TEST_F(CommandLine, refusesUnknownWordsAndSuggests) {
-  EXPECT_NE(expectFault(2, {"encode", "a", "b", "--iso", "1", "--max-eror", "2"}).find("did you mean --max-error?"),
+  EXPECT_NE(expectFault(2, {"encode", "a", "b", "--iso", "1", "--max-eror", "2"})
+                .find("did you mean --max-error?"),
             std::string::npos);
-  EXPECT_NE(expectFault(2, {"decode", "a", "b.ply", "--poligonizer=cubes"}).find("did you mean --polygonizer?"),
+  EXPECT_NE(expectFault(2, {"decode", "a", "b.ply", "--poligonizer=cubes"})
+                .find("did you mean --polygonizer?"),
             std::string::npos);
   EXPECT_NE(expectFault(2, {"encod", "a"}).find("did you mean encode?"), std::string::npos);
   EXPECT_NE(expectFault(2, {"info", "a", "b"}).find("one argument too many: b"), std::string::npos);
@@ -143,9 +151,11 @@ TEST_F(CommandLine, refusesValuesThatMakeNoSense) {
 
 TEST_F(CommandLine, refusesFilesItCannotReadOrWrite) {
   const std::string volume = ball();
-  EXPECT_NE(expectFault(1, {"encode", "none.nrrd", "out.isostar", "--iso", "0"}).find("none.nrrd: cannot be read"),
+  EXPECT_NE(expectFault(1, {"encode", "none.nrrd", "out.isostar", "--iso", "0"})
+                .find("none.nrrd: cannot be read"),
             std::string::npos);
-  EXPECT_NE(expectFault(1, {"encode", volume, "none/out.isostar", "--iso", "0"}).find("there is no folder none"),
+  EXPECT_NE(expectFault(1, {"encode", volume, "none/out.isostar", "--iso", "0"})
+                .find("there is no folder none"),
             std::string::npos);
   expectFault(1, {"encode", volume, ".", "--iso", "0"});
   expectFault(2, {"encode", volume, volume, "--iso", "0"});
@@ -175,10 +185,12 @@ TEST_F(CommandLine, encodesAClosedMesh) {
 
 TEST_F(CommandLine, refusesMeshesWithoutASurface) {
   write("empty.obj", "v 0 0 0\n");
-  EXPECT_NE(expectFault(1, {"encode", "empty.obj", "a.isostar"}).find("empty.obj: has no triangles"),
-            std::string::npos);
+  EXPECT_NE(
+      expectFault(1, {"encode", "empty.obj", "a.isostar"}).find("empty.obj: has no triangles"),
+      std::string::npos);
   write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 1\nf 1 2 3\n");
-  EXPECT_NE(expectFault(1, {"encode", "nan.obj", "a.isostar"}).find("nan.obj: "), std::string::npos);
+  EXPECT_NE(expectFault(1, {"encode", "nan.obj", "a.isostar"}).find("nan.obj: "),
+            std::string::npos);
   writeMesh(torus(9, 3, 1), path("model.ply"));
   for (const std::vector<std::string>& bad :
        std::vector<std::vector<std::string>>{{"model.ply", "a.isostar", "--grid", "3"},
@@ -193,11 +205,12 @@ TEST_F(CommandLine, refusesMeshesWithoutASurface) {
 
 TEST_F(CommandLine, tellsThatAMeshIsNotClosed) {
   Mesh open = torus(30, 3, 1);
-  open.triangles.resize(open.triangles.size() - 3);
+  open.indices.resize(open.indices.size() - 3);
   writeMesh(open, path("open.ply"));
   const Outcome outcome = run({"encode", "open.ply", "open.isostar", "--grid", "33"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.words.find("open.ply: not closed: 3 boundary edges; inside is where most rays say so\n"),
+  EXPECT_NE(outcome.words.find(
+                "open.ply: not closed: 3 boundary edges; inside is where most rays say so\n"),
             std::string::npos)
       << outcome.words;
 }
@@ -211,19 +224,27 @@ std::string tetrahedronInText() {
 
 TEST_F(CommandLine, encodesTetrahedra) {
   write("mesh.vtk", tetrahedronInText());
-  const Outcome encoded = run({"encode", "mesh.vtk", "mesh.isostar", "--iso", "0.5", "--grid", "33"});
+  const Outcome encoded =
+      run({"encode", "mesh.vtk", "mesh.isostar", "--iso", "0.5", "--grid", "33"});
   if (encoded.words.find("reads no VTK files") != std::string::npos) GTEST_SKIP() << encoded.words;
   ASSERT_EQ(encoded.status, 0) << encoded.words;
-  EXPECT_NE(encoded.words.find("mesh.vtk: cells that are no tetrahedra, left out: 1\n"), std::string::npos);
-  EXPECT_NE(encoded.words.find("mesh.vtk: sampled at 33 x 33 x 33 points, up to "), std::string::npos);
+  EXPECT_NE(encoded.words.find("mesh.vtk: cells that are no tetrahedra, left out: 1\n"),
+            std::string::npos);
+  EXPECT_NE(encoded.words.find("mesh.vtk: sampled at 33 x 33 x 33 points, up to "),
+            std::string::npos);
   EXPECT_EQ(encoded.words.find("beyond the mesh's boundary"), std::string::npos);
-  EXPECT_EQ(nlohmann::json::parse(run({"info", "mesh.isostar", "--json"}).results)["trimmed"], true);
-  EXPECT_NE(run({"info", "mesh.isostar"}).results.find("domain       ends inside the grid"), std::string::npos);
-  const Outcome several = run({"encode", "mesh.vtk", "several.isostar", "--iso", "0.5", "--near", "0.75", "--grid", "33"});
+  EXPECT_EQ(nlohmann::json::parse(run({"info", "mesh.isostar", "--json"}).results)["trimmed"],
+            true);
+  EXPECT_NE(run({"info", "mesh.isostar"}).results.find("domain       ends inside the grid"),
+            std::string::npos);
+  const Outcome several = run(
+      {"encode", "mesh.vtk", "several.isostar", "--iso", "0.5", "--near", "0.75", "--grid", "33"});
   EXPECT_EQ(several.status, 0) << several.words;
-  EXPECT_NE(several.words.find("the surface goes on beyond the mesh's boundary"), std::string::npos);
+  EXPECT_NE(several.words.find("the surface goes on beyond the mesh's boundary"),
+            std::string::npos);
   for (const bool swapped : {false, true}) {
-    std::vector<std::string> line = {"compare", "mesh.isostar", "mesh.vtk", "--iso", "0.5", "--json"};
+    std::vector<std::string> line = {"compare", "mesh.isostar", "mesh.vtk",
+                                     "--iso",   "0.5",          "--json"};
     if (swapped) std::swap(line[1], line[2]);
     const auto report = nlohmann::json::parse(run(line).results);
     EXPECT_EQ(report["units"], "grid");
@@ -233,12 +254,15 @@ TEST_F(CommandLine, encodesTetrahedra) {
 
 TEST_F(CommandLine, inTheWorldTheBoundCountsFromTheTetrahedra) {
   write("mesh.vtk", tetrahedronInText());
-  const Outcome encoded = run({"encode", "mesh.vtk", "mesh.isostar", "--iso", "0.5", "--max-error", "0.01", "--units", "world"});
+  const Outcome encoded = run({"encode", "mesh.vtk", "mesh.isostar", "--iso", "0.5", "--max-error",
+                               "0.01", "--units", "world"});
   if (encoded.words.find("reads no VTK files") != std::string::npos) GTEST_SKIP() << encoded.words;
   ASSERT_EQ(encoded.status, 0) << encoded.words;
-  EXPECT_NE(encoded.words.find("error at most 0.01 world units"), std::string::npos) << encoded.words;
+  EXPECT_NE(encoded.words.find("error at most 0.01 world units"), std::string::npos)
+      << encoded.words;
   const auto report = nlohmann::json::parse(
-      run({"compare", "mesh.isostar", "mesh.vtk", "--iso", "0.5", "--units", "world", "--json"}).results);
+      run({"compare", "mesh.isostar", "mesh.vtk", "--iso", "0.5", "--units", "world", "--json"})
+          .results);
   EXPECT_LE(report["symmetric"]["max"].get<double>(), 0.01);
 }
 
@@ -272,7 +296,8 @@ TEST_F(CommandLine, encodesTellsDecodesAndCompares) {
   const auto report = nlohmann::json::parse(encoded.results);
   EXPECT_EQ(report["bytes"], read("ball.isostar").size());
   EXPECT_GT(report["peakMemory"], 1 << 20);
-  EXPECT_TRUE(report["milliseconds"]["encode"].is_number() && report["milliseconds"]["polygonize"].is_number());
+  EXPECT_TRUE(report["milliseconds"]["encode"].is_number() &&
+              report["milliseconds"]["polygonize"].is_number());
   EXPECT_NE(encoded.words.find("error at most 0.05 grid steps"), std::string::npos);
 
   const auto info = nlohmann::json::parse(run({"info", "ball.isostar", "--json"}).results);
@@ -282,15 +307,16 @@ TEST_F(CommandLine, encodesTellsDecodesAndCompares) {
   EXPECT_EQ(info["isovalues"], (std::vector<double>{0}));
   EXPECT_EQ(info["layers"].back()["offset"], report["bytes"]);
   const auto& bits = info["bits"];
-  EXPECT_EQ(bits["connectivity"].get<int>() + bits["geometry"].get<int>() + bits["header"].get<int>(),
-            8 * report["bytes"].get<int>());
+  EXPECT_EQ(
+      bits["connectivity"].get<int>() + bits["geometry"].get<int>() + bits["header"].get<int>(),
+      8 * report["bytes"].get<int>());
 
   const Outcome decoded = run({"decode", "ball.isostar", "ball.ply", "--json"});
   ASSERT_EQ(decoded.status, 0) << decoded.words;
   const Mesh mesh = readMesh(path("ball.ply"));
   const auto counts = nlohmann::json::parse(decoded.results);
   EXPECT_EQ(counts["vertices"], mesh.positions.size() / 3);
-  EXPECT_EQ(counts["triangles"], mesh.triangles.size() / 3);
+  EXPECT_EQ(counts["triangles"], mesh.indices.size() / 3);
   EXPECT_EQ(counts["vertices"], report["vertices"]);
   EXPECT_EQ(counts["triangles"], report["triangles"]);
 
@@ -307,7 +333,8 @@ TEST_F(CommandLine, encodesTellsDecodesAndCompares) {
 TEST_F(CommandLine, writesEveryMeshFormatInBothFrames) {
   encodeBall();
   for (const char* name : {"m.ply", "m.obj", "m.stl", "m.glb"})
-    EXPECT_EQ(run({"decode", "ball.isostar", name, "--polygonizer", "tetrahedra"}).status, 0) << name;
+    EXPECT_EQ(run({"decode", "ball.isostar", name, "--polygonizer", "tetrahedra"}).status, 0)
+        << name;
   run({"decode", "ball.isostar", "world.stl"});
   run({"decode", "ball.isostar", "grid.stl", "--frame", "grid"});
   const auto highest = [&](const char* name) {
@@ -322,33 +349,43 @@ TEST_F(CommandLine, writesEveryMeshFormatInBothFrames) {
 TEST_F(CommandLine, drawsTheContoursOfAnImage) {
   std::vector<float> samples;
   for (int j = 0; j < 20; ++j)
-    for (int i = 0; i < 30; ++i) samples.push_back(static_cast<float>(6 - std::hypot(i - 9.6, j - 9.3)));
+    for (int i = 0; i < 30; ++i)
+      samples.push_back(static_cast<float>(6 - std::hypot(i - 9.6, j - 9.3)));
   write("disc.nrrd",
-        "NRRD0004\ntype: float\ndimension: 2\nsizes: 30 20\nspacings: 2 2\nencoding: raw\nendian: little\n\n" +
+        "NRRD0004\ntype: float\ndimension: 2\nsizes: 30 20\nspacings: 2 2\nencoding: raw\nendian: "
+        "little\n\n" +
             bytesOf(samples));
-  ASSERT_EQ(run({"encode", "disc.nrrd", "disc.isostar", "--iso", "0", "--lossless", "--json"}).status, 0);
+  ASSERT_EQ(
+      run({"encode", "disc.nrrd", "disc.isostar", "--iso", "0", "--lossless", "--json"}).status, 0);
   EXPECT_EQ(nlohmann::json::parse(run({"info", "disc.isostar", "--json"}).results)["dimension"], 2);
   ASSERT_EQ(run({"decode", "disc.isostar", "disc.svg"}).status, 0);
   const std::string svg = read("disc.svg");
   EXPECT_NE(svg.find("viewBox=\"0 0 58 38\""), std::string::npos) << svg;
   EXPECT_EQ(std::count(svg.begin(), svg.end(), 'M'), 2) << "an area and its border\n" << svg;
-  EXPECT_EQ(run({"decode", "disc.isostar", "grid.svg", "--frame", "grid", "--level", "0"}).status, 0);
+  EXPECT_EQ(run({"decode", "disc.isostar", "grid.svg", "--frame", "grid", "--level", "0"}).status,
+            0);
   EXPECT_NE(read("grid.svg").find("viewBox=\"0 0 29 19\""), std::string::npos);
-  EXPECT_NE(expectFault(1, {"decode", "disc.isostar", "disc.ply"}).find("written as .svg"), std::string::npos);
-  EXPECT_NE(expectFault(1, {"compare", "disc.isostar", "disc.isostar"}).find("no surface"), std::string::npos);
+  EXPECT_NE(expectFault(1, {"decode", "disc.isostar", "disc.ply"}).find("written as .svg"),
+            std::string::npos);
+  EXPECT_NE(expectFault(1, {"compare", "disc.isostar", "disc.isostar"}).find("no surface"),
+            std::string::npos);
   encodeBall();
-  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "ball.svg"}).find("holds a surface"), std::string::npos);
+  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "ball.svg"}).find("holds a surface"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, fillsWhatIsPositiveUpToTheBorder) {
-  write("slope.nrrd", "NRRD0004\ntype: float\ndimension: 2\nsizes: 3 2\nencoding: raw\nendian: little\n\n" +
-                          bytesOf(std::vector<float>{-1, 1, 3, -1, 1, 3}));
+  write("slope.nrrd",
+        "NRRD0004\ntype: float\ndimension: 2\nsizes: 3 2\nencoding: raw\nendian: little\n\n" +
+            bytesOf(std::vector<float>{-1, 1, 3, -1, 1, 3}));
   ASSERT_EQ(run({"encode", "slope.nrrd", "slope.isostar", "--iso", "0", "--lossless"}).status, 0);
   ASSERT_EQ(run({"decode", "slope.isostar", "slope.svg"}).status, 0);
-  EXPECT_NE(read("slope.svg").find("d=\"M0.5 1L0.5 0L2 0L2 1Z\""), std::string::npos) << read("slope.svg");
+  EXPECT_NE(read("slope.svg").find("d=\"M0.5 1L0.5 0L2 0L2 1Z\""), std::string::npos)
+      << read("slope.svg");
   ASSERT_EQ(run({"encode", "slope.nrrd", "white.isostar", "--iso", "-2"}).status, 0);
   ASSERT_EQ(run({"decode", "white.isostar", "white.svg"}).status, 0);
-  EXPECT_NE(read("white.svg").find("d=\"M0 0L2 0L2 1L0 1Z\""), std::string::npos) << read("white.svg");
+  EXPECT_NE(read("white.svg").find("d=\"M0 0L2 0L2 1L0 1Z\""), std::string::npos)
+      << read("white.svg");
 }
 
 TEST_F(CommandLine, cutsASequenceAtATime) {
@@ -356,9 +393,12 @@ TEST_F(CommandLine, cutsASequenceAtATime) {
   for (int t = 0; t < 4; ++t)
     for (int k = 0; k < 12; ++k)
       for (int j = 0; j < 12; ++j)
-        for (int i = 0; i < 12; ++i) samples.push_back(static_cast<float>(2 + t - std::hypot(i - 5.6, j - 5.3, k - 5.5)));
-  write("balls.nrrd",
-        "NRRD0004\ntype: float\ndimension: 4\nsizes: 12 12 12 4\nencoding: raw\nendian: little\n\n" + bytesOf(samples));
+        for (int i = 0; i < 12; ++i)
+          samples.push_back(static_cast<float>(2 + t - std::hypot(i - 5.6, j - 5.3, k - 5.5)));
+  write(
+      "balls.nrrd",
+      "NRRD0004\ntype: float\ndimension: 4\nsizes: 12 12 12 4\nencoding: raw\nendian: little\n\n" +
+          bytesOf(samples));
   ASSERT_EQ(run({"encode", "balls.nrrd", "balls.isostar", "--iso", "0"}).status, 0);
   const auto highest = [&](const std::string& time) {
     EXPECT_EQ(run({"decode", "balls.isostar", "cut.ply", "--time", time}).status, 0);
@@ -370,9 +410,12 @@ TEST_F(CommandLine, cutsASequenceAtATime) {
   EXPECT_NEAR(highest("0"), 7.5, 0.1);
   EXPECT_NEAR(highest("1.5"), 9, 0.15);
   EXPECT_NEAR(highest("3"), 10.5, 0.1);
-  EXPECT_NE(expectFault(1, {"decode", "balls.isostar", "x.ply", "--time", "3.01"}).find("frames 0 to 3"), std::string::npos);
+  EXPECT_NE(
+      expectFault(1, {"decode", "balls.isostar", "x.ply", "--time", "3.01"}).find("frames 0 to 3"),
+      std::string::npos);
   encodeBall();
-  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "x.ply", "--time", "0"}).find("no sequence"), std::string::npos);
+  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "x.ply", "--time", "0"}).find("no sequence"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, decodesPrefixes) {
@@ -390,7 +433,8 @@ TEST_F(CommandLine, decodesPrefixes) {
   EXPECT_EQ(report({"--level", "99"})["vertices"], info["vertices"]);
   EXPECT_EQ(report({"--bytes", "99999999"})["vertices"], info["vertices"]);
   const int whole = info["bytes"], header = info["bits"]["header"].get<int>() / 8;
-  for (int bytes = header; bytes < whole; bytes += 1 + whole / 20) report({"--bytes", std::to_string(bytes)});
+  for (int bytes = header; bytes < whole; bytes += 1 + whole / 20)
+    report({"--bytes", std::to_string(bytes)});
   expectFault(1, {"decode", "ball.isostar", "part2.ply", "--bytes", "3"});
 }
 
@@ -400,7 +444,8 @@ TEST_F(CommandLine, warnsOfAFileThatEndsEarly) {
   write("cut.isostar", whole.substr(0, whole.size() - 10));
   const Outcome outcome = run({"decode", "cut.isostar", "cut.ply"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.words.find("warning: cut.isostar ends early"), std::string::npos) << outcome.words;
+  EXPECT_NE(outcome.words.find("warning: cut.isostar ends early"), std::string::npos)
+      << outcome.words;
 }
 
 TEST_F(CommandLine, refusesADamagedStream) {
@@ -413,29 +458,36 @@ TEST_F(CommandLine, refusesADamagedStream) {
 
 TEST_F(CommandLine, refusesAnIsovalueTheStreamDoesNotHold) {
   encodeBall();
-  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "out.ply", "--iso", "1"}).find("does not hold isovalue 1"),
+  EXPECT_NE(expectFault(1, {"decode", "ball.isostar", "out.ply", "--iso", "1"})
+                .find("does not hold isovalue 1"),
             std::string::npos);
   EXPECT_EQ(run({"decode", "ball.isostar", "out.ply", "--iso", "0"}).status, 0);
 }
 
 TEST_F(CommandLine, severalIsovaluesInAFile) {
-  ASSERT_EQ(run({"encode", ball(), "several.isostar", "--iso", "0", "--near", "0.5,-0.25"}).status, 0);
+  ASSERT_EQ(run({"encode", ball(), "several.isostar", "--iso", "0", "--near", "0.5,-0.25"}).status,
+            0);
   ASSERT_EQ(run({"encode", ball(), "half.isostar", "--iso", "0.5"}).status, 0);
   const auto info = nlohmann::json::parse(run({"info", "several.isostar", "--json"}).results);
   EXPECT_EQ(info["isovalues"], (std::vector<double>{0, -0.25, 0.5}));
   EXPECT_EQ(info["layers"].front()["isovalue"], 0);
   EXPECT_EQ(info["layers"].back()["isovalue"], 0.5);
-  const auto compared = nlohmann::json::parse(run({"compare", "several.isostar", "half.isostar", "--iso", "0.5", "--json"}).results);
+  const auto compared = nlohmann::json::parse(
+      run({"compare", "several.isostar", "half.isostar", "--iso", "0.5", "--json"}).results);
   EXPECT_LT(compared["symmetric"]["max"], 0.1);
   EXPECT_EQ(compared["a"]["vertices"], compared["b"]["vertices"]);
   for (const char* isovalue : {"0", "-0.25", "0.5", "0.3"}) {
-    EXPECT_EQ(run({"decode", "several.isostar", "out.ply", "--iso", isovalue}).status, 0) << isovalue;
+    EXPECT_EQ(run({"decode", "several.isostar", "out.ply", "--iso", isovalue}).status, 0)
+        << isovalue;
   }
-  const std::string fault = expectFault(1, {"decode", "several.isostar", "out.ply", "--iso", "0.6"});
+  const std::string fault =
+      expectFault(1, {"decode", "several.isostar", "out.ply", "--iso", "0.6"});
   EXPECT_NE(fault.find("it holds 0, -0.25, 0.5 and what lies between"), std::string::npos) << fault;
-  for (const char* bad : {"0", "1,1", "nan", "1,inf", "1,x", ""}) expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", bad});
+  for (const char* bad : {"0", "1,1", "nan", "1,inf", "1,x", ""})
+    expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", bad});
   expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", "1", "--adaptive"});
-  expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near", "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16"});
+  expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--near",
+                  "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16"});
 }
 
 TEST_F(CommandLine, takesNegativeIsovalues) {
@@ -450,13 +502,15 @@ TEST_F(CommandLine, anEmptySurfaceIsAStreamAndAWarning) {
   for (const char* name : {"e.ply", "e.obj", "e.stl", "e.glb"})
     EXPECT_EQ(run({"decode", "empty.isostar", name}).status, 0);
   EXPECT_EQ(run({"info", "empty.isostar"}).status, 0);
-  EXPECT_TRUE(
-      nlohmann::json::parse(run({"compare", "e.ply", "empty.isostar", "--json"}).results)["symmetric"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(
+                  run({"compare", "e.ply", "empty.isostar", "--json"}).results)["symmetric"]
+                  .is_null());
 }
 
 TEST_F(CommandLine, aBoundFinerThanTheDataSaysSo) {
   write("v.raw", bytesOf(counting<uint8_t>(125)));
-  const std::vector<std::string> encode{"encode", "v.raw", "v.isostar", "--size", "5,5,5", "--type", "u8", "--iso", "60.5", "--max-error"};
+  const std::vector<std::string> encode{"encode", "v.raw", "v.isostar", "--size", "5,5,5",
+                                        "--type", "u8",    "--iso",     "60.5",   "--max-error"};
   const auto wordsAt = [&](const char* bound) {
     auto arguments = encode;
     arguments.push_back(bound);
@@ -470,7 +524,8 @@ TEST_F(CommandLine, aBoundFinerThanTheDataSaysSo) {
 
 TEST_F(CommandLine, streamsSayThatTheyTakeMoreEffort) {
   ASSERT_EQ(run({"encode", ball(), "a.isostar", "--iso", "0", "--effort", "2"}).status, 0);
-  EXPECT_EQ(nlohmann::json::parse(run({"info", "a.isostar", "--json"}).results)["effort"].get<int>(), 2);
+  EXPECT_EQ(
+      nlohmann::json::parse(run({"info", "a.isostar", "--json"}).results)["effort"].get<int>(), 2);
   EXPECT_NE(run({"info", "a.isostar"}).results.find("effort       2"), std::string::npos);
   expectFault(2, {"encode", ball(), "x.isostar", "--iso", "0", "--effort", "3"});
 }
@@ -478,21 +533,34 @@ TEST_F(CommandLine, streamsSayThatTheyTakeMoreEffort) {
 TEST_F(CommandLine, streamsOfOneTopologySayThatTheyAre) {
   const Outcome outcome = run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology"});
   EXPECT_EQ(outcome.status, 0) << outcome.words;
-  EXPECT_TRUE(nlohmann::json::parse(run({"info", "a.isostar", "--json"}).results)["preservesTopology"].get<bool>());
+  EXPECT_TRUE(
+      nlohmann::json::parse(run({"info", "a.isostar", "--json"}).results)["preservesTopology"]
+          .get<bool>());
   EXPECT_NE(run({"info", "a.isostar"}).results.find("the same on every layer"), std::string::npos);
-  EXPECT_NE(run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology", "--adaptive"}).words.find("--adaptive"), std::string::npos);
+  EXPECT_NE(run({"encode", ball(), "a.isostar", "--iso", "0", "--preserve-topology", "--adaptive"})
+                .words.find("--adaptive"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, saysWhatIsForVolumesOnly) {
-  write("sequence.nrrd", "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 5 5 5 2\nkinds: domain domain domain time\nencoding: raw\n\n" + bytesOf(counting<uint8_t>(250)));
+  write("sequence.nrrd",
+        "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 5 5 5 2\nkinds: domain domain domain "
+        "time\nencoding: raw\n\n" +
+            bytesOf(counting<uint8_t>(250)));
   EXPECT_EQ(run({"encode", "sequence.nrrd", "a.isostar", "--iso", "60.5"}).status, 0);
-  EXPECT_NE(expectFault(1, {"encode", "sequence.nrrd", "x.isostar", "--iso", "60.5", "--preserve-topology"}).find("this is a sequence"), std::string::npos);
-  EXPECT_NE(expectFault(1, {"encode", "sequence.nrrd", "x.isostar", "--iso", "60.5", "--adaptive"}).find("not for sequences"), std::string::npos);
+  EXPECT_NE(expectFault(
+                1, {"encode", "sequence.nrrd", "x.isostar", "--iso", "60.5", "--preserve-topology"})
+                .find("this is a sequence"),
+            std::string::npos);
+  EXPECT_NE(expectFault(1, {"encode", "sequence.nrrd", "x.isostar", "--iso", "60.5", "--adaptive"})
+                .find("not for sequences"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, readsRawAndWritesToAPipe) {
   write("v.raw", bytesOf(counting<uint8_t>(125)));
-  const Outcome outcome = run({"encode", "v.raw", "-", "--size", "5,5,5", "--type", "u8", "--iso", "60.5"});
+  const Outcome outcome =
+      run({"encode", "v.raw", "-", "--size", "5,5,5", "--type", "u8", "--iso", "60.5"});
   EXPECT_EQ(outcome.status, 0) << outcome.words;
   write("v.isostar", outcome.results);
   EXPECT_EQ(run({"info", "v.isostar"}).status, 0);
@@ -500,13 +568,15 @@ TEST_F(CommandLine, readsRawAndWritesToAPipe) {
 
 TEST_F(CommandLine, countsLengthsInWorldUnits) {
   write("v.raw", bytesOf(counting<uint8_t>(125)));
-  EXPECT_EQ(run({"encode", "v.raw", "v.isostar", "--size", "5,5,5", "--type", "u8", "--iso", "60.5", "--spacing",
-                 "0.5,1,1", "--units", "world", "--max-error", "0.1"})
+  EXPECT_EQ(run({"encode", "v.raw", "v.isostar", "--size", "5,5,5", "--type", "u8", "--iso", "60.5",
+                 "--spacing", "0.5,1,1", "--units", "world", "--max-error", "0.1"})
                 .status,
             0);
-  EXPECT_NEAR(nlohmann::json::parse(run({"info", "v.isostar", "--json"}).results)["maxError"], 0.2, 1e-6);
-  EXPECT_NEAR(nlohmann::json::parse(run({"info", "v.isostar", "--json", "--units", "world"}).results)["maxError"], 0.1,
+  EXPECT_NEAR(nlohmann::json::parse(run({"info", "v.isostar", "--json"}).results)["maxError"], 0.2,
               1e-6);
+  EXPECT_NEAR(nlohmann::json::parse(
+                  run({"info", "v.isostar", "--json", "--units", "world"}).results)["maxError"],
+              0.1, 1e-6);
 }
 
 }  // namespace

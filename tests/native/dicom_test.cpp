@@ -30,18 +30,21 @@ std::string slice(int number, int16_t first, const SliceAt& at) {
   const std::string explicitLittleEndian = "1.2.840.10008.1.2.1", ct = "1.2.840.10008.5.1.4.1.1.2";
   const std::string instance = "1.2.3.4." + std::to_string(number);
   const std::string meta = element(2, 1, "OB", std::string("\0\1", 2)) + element(2, 2, "UI", ct) +
-                           element(2, 3, "UI", instance) + element(2, 16, "UI", explicitLittleEndian);
+                           element(2, 3, "UI", instance) +
+                           element(2, 16, "UI", explicitLittleEndian);
   std::vector<int16_t> samples;
   for (int16_t i = 0; i < 4; ++i) samples.push_back(static_cast<int16_t>(first + i));
-  return std::string(128, '\0') + "DICM" + element(2, 0, "UL", bytesOf(static_cast<uint32_t>(meta.size()))) + meta +
-         element(8, 0x16, "UI", ct) + element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", "CT") +
-         element(0x20, 0x0d, "UI", "1.2") + element(0x20, 0x0e, "UI", at.series) +
-         element(0x20, 0x13, "IS", std::to_string(number)) + element(0x20, 0x32, "DS", at.position) +
-         element(0x20, 0x37, "DS", at.orientation) + element(0x28, 2, 1) + element(0x28, 4, "CS", "MONOCHROME2") +
-         element(0x28, 0x10, 2) + element(0x28, 0x11, 2) + element(0x28, 0x30, "DS", "0.5\\0.25") +
-         element(0x28, 0x100, 16) + element(0x28, 0x101, 16) + element(0x28, 0x102, 15) + element(0x28, 0x103, 1) +
-         element(0x28, 0x1052, "DS", "0") + element(0x28, 0x1053, "DS", at.slope) +
-         element(0x7fe0, 0x10, "OW", bytesOf(samples));
+  return std::string(128, '\0') + "DICM" +
+         element(2, 0, "UL", bytesOf(static_cast<uint32_t>(meta.size()))) + meta +
+         element(8, 0x16, "UI", ct) + element(8, 0x18, "UI", instance) +
+         element(8, 0x60, "CS", "CT") + element(0x20, 0x0d, "UI", "1.2") +
+         element(0x20, 0x0e, "UI", at.series) + element(0x20, 0x13, "IS", std::to_string(number)) +
+         element(0x20, 0x32, "DS", at.position) + element(0x20, 0x37, "DS", at.orientation) +
+         element(0x28, 2, 1) + element(0x28, 4, "CS", "MONOCHROME2") + element(0x28, 0x10, 2) +
+         element(0x28, 0x11, 2) + element(0x28, 0x30, "DS", "0.5\\0.25") +
+         element(0x28, 0x100, 16) + element(0x28, 0x101, 16) + element(0x28, 0x102, 15) +
+         element(0x28, 0x103, 1) + element(0x28, 0x1052, "DS", "0") +
+         element(0x28, 0x1053, "DS", at.slope) + element(0x7fe0, 0x10, "OW", bytesOf(samples));
 }
 
 class Dicom : public ScratchFolder {
@@ -67,7 +70,8 @@ TEST_F(Dicom, ordersSlicesByPositionNotByName) {
 
 TEST_F(Dicom, keepsATiltedGantry) {
   for (int k = 0; k < 3; ++k)
-    add(std::to_string(k), k, static_cast<int16_t>(4 * k), {"0\\" + std::to_string(k) + "\\" + std::to_string(2 * k)});
+    add(std::to_string(k), k, static_cast<int16_t>(4 * k),
+        {"0\\" + std::to_string(k) + "\\" + std::to_string(2 * k)});
   expectPoint(worldOf(readPath(path("")).placement, 0, 0, 2), 0, 2, 4);
 }
 
@@ -85,7 +89,8 @@ TEST_F(Dicom, refusesAMissingSlice) {
 
 TEST_F(Dicom, takesTheLargestSeries) {
   add("scout", 9, 90, {.series = "1.2.9"});
-  for (int k = 0; k < 2; ++k) add(std::to_string(k), k, static_cast<int16_t>(4 * k), {"0\\0\\" + std::to_string(k)});
+  for (int k = 0; k < 2; ++k)
+    add(std::to_string(k), k, static_cast<int16_t>(4 * k), {"0\\0\\" + std::to_string(k)});
   const LoadedVolume volume = readPath(path(""));
   expectCounting(volume.samples);
   ASSERT_EQ(volume.remarks.size(), 1u);
@@ -98,7 +103,8 @@ TEST_F(Dicom, refusesAFolderWithoutSlices) {
 TEST_F(Dicom, refusesCutFiles) {
   const std::string whole = slice(1, 0, {});
   for (size_t length = 0; length < whole.size(); length += 7)
-    EXPECT_NE(complaint(write("v.dcm", whole.substr(0, length))), "") << "cut at " << length << " of " << whole.size();
+    EXPECT_NE(complaint(write("v.dcm", whole.substr(0, length))), "")
+        << "cut at " << length << " of " << whole.size();
 }
 
 }  // namespace

@@ -101,14 +101,16 @@ TEST(ScalarCoder, tellsTheScalarsOfTheTubeWithinHalfAStep) {
     unsigned turn = 0;
     refine(mesh, [&](const auto& s) { return !mayCross(signs, hierarchy, s) || ++turn % 7 == 0; });
     const auto actual = [&](const Coordinates<3>& v) {
-      return double{field.samples[static_cast<size_t>((v[2] * field.size[1] + v[1]) * field.size[0] + v[0])]};
+      return double{
+          field.samples[static_cast<size_t>((v[2] * field.size[1] + v[1]) * field.size[0] + v[0])]};
     };
     std::vector<std::byte> bytes;
     const auto run = [&](auto& exchange, ScalarCoder& scalars) {
       GateTraversal<3> traversal(hierarchy);
       traversal.code(exchange, [&](const auto& leaf, const auto* from, int newVertex) {
         scalars.code(
-            exchange.coder(), leaf, from, newVertex, [&](const auto& v) { return traversal.positive(v); }, actual);
+            exchange.coder(), leaf, from, newVertex,
+            [&](const auto& v) { return traversal.positive(v); }, actual);
       });
     };
     ScalarCoder coded(hierarchy, kStep), decoded(hierarchy, kStep);
@@ -131,17 +133,21 @@ TEST(ScalarCoder, tellsTheScalarsOfTheTubeWithinHalfAStep) {
 
 TEST(SingleRate, decodesNearTheSource) {
   for (const Size& size : {Size{33, 30, 35}, Size{20, 40, 17}}) {
-    for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
-                              sampled("plane", size, plane())}) {
+    for (const auto& field :
+         {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
+          sampled("plane", size, plane())}) {
       SCOPED_TRACE(described(field));
       const Mesh source = surfaceOf(field.volume());
       const std::vector<double> bounds{0.5, 0.1};
       size_t before = SIZE_MAX;
       for (double bound : bounds) {
-        const auto stream = encodeSingleRate(field.volume(), 0, measure::TriangleTree(source), {&bound, 1})[0].bytes;
+        const auto stream =
+            encodeSingleRate(field.volume(), 0, measure::TriangleTree(source), {&bound, 1})[0]
+                .bytes;
         const SampledFunction decoded = decodeSingleRate(stream);
         ASSERT_EQ(decoded.size, field.size);
-        const auto distance = measure::surfaceDistance(source, surfaceOf({decoded.samples, decoded.size, {}}));
+        const auto distance =
+            measure::surfaceDistance(source, surfaceOf({decoded.samples, decoded.size, {}}));
         ASSERT_TRUE(distance);
         EXPECT_LE(distance->symmetric().rms, bound);
         EXPECT_NE(stream.size(), before);
@@ -153,8 +159,9 @@ TEST(SingleRate, decodesNearTheSource) {
 
 TEST(Octree, decodesNearerWithEachLayer) {
   for (const Size& size : {Size{33, 30, 35}, Size{20, 40, 17}}) {
-    for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
-                              sampled("plane", size, plane())}) {
+    for (const auto& field :
+         {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
+          sampled("plane", size, plane())}) {
       SCOPED_TRACE(described(field));
       const Mesh source = surfaceOf(field.volume());
       const auto stream = encodeOctree(field.volume(), 0, measure::TriangleTree(source));
@@ -164,15 +171,16 @@ TEST(Octree, decodesNearerWithEachLayer) {
       double before = INFINITY;
       for (const auto& [end, signs] : layers) {
         const Mesh mesh = decodeOctree(std::span(stream).first(end), {1, 1, 1});
-        if (mesh.triangles.empty()) continue;  // nothing to be seen yet
-        const double rms = measure::surfaceDistance(measure::Measurable(mesh), reference, 1000).symmetric().rms;
+        if (mesh.indices.empty()) continue;  // nothing to be seen yet
+        const double rms =
+            measure::surfaceDistance(measure::Measurable(mesh), reference, 1000).symmetric().rms;
         EXPECT_LT(rms, 1.05 * before);
         before = rms;
       }
       EXPECT_LT(before, 0.05);
       for (size_t bytes = 0; bytes < stream.size(); bytes += 1 + stream.size() / 50)
-        EXPECT_LE(decodeOctree(std::span(stream).first(bytes), {1, 1, 1}).triangles.size(),
-                  6 * source.triangles.size());
+        EXPECT_LE(decodeOctree(std::span(stream).first(bytes), {1, 1, 1}).indices.size(),
+                  6 * source.indices.size());
     }
   }
 }
@@ -183,12 +191,13 @@ TEST(Comparison, emptySurfacesAreValidStreams) {
       const auto field = sampled("empty", size, [=](double, double, double) { return value; });
       const Mesh none;
       const double bound = 0.1;
-      const auto single = encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0].bytes;
+      const auto single =
+          encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0].bytes;
       const SampledFunction decoded = decodeSingleRate(single);
       ASSERT_EQ(decoded.samples.size(), field.samples.size());
       for (float sample : decoded.samples) EXPECT_EQ(sample > 0, value > 0);
       const auto octree = encodeOctree(field.volume(), 0, measure::TriangleTree(none));
-      EXPECT_TRUE(decodeOctree(octree, {1, 1, 1}).triangles.empty());
+      EXPECT_TRUE(decodeOctree(octree, {1, 1, 1}).indices.empty());
     }
   }
 }
@@ -199,10 +208,11 @@ TEST(Comparison, gridsWithoutExtentHaveNoSurface) {
       SCOPED_TRACE(described(field));
       const Mesh none;
       const double bound = 0.1;
-      const auto single = encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0].bytes;
+      const auto single =
+          encodeSingleRate(field.volume(), 0, measure::TriangleTree(none), {&bound, 1})[0].bytes;
       EXPECT_EQ(decodeSingleRate(single).samples.size(), field.samples.size());
       const auto octree = encodeOctree(field.volume(), 0, measure::TriangleTree(none));
-      EXPECT_TRUE(decodeOctree(octree, {1, 1, 1}).triangles.empty());
+      EXPECT_TRUE(decodeOctree(octree, {1, 1, 1}).indices.empty());
     }
   }
 }

@@ -6,8 +6,10 @@ namespace isostar::native {
 namespace {
 
 const std::string kHeader =
-    "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
-    "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 10 20 30\nElementSpacing = 0.5 2 3\nDimSize = 2 3 4\n"
+    "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = "
+    "False\nCompressedData = False\n"
+    "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 10 20 30\nElementSpacing = 0.5 2 3\nDimSize = "
+    "2 3 4\n"
     "ElementType = MET_SHORT\n";
 
 class MetaImage : public ScratchFolder {
@@ -23,7 +25,8 @@ class MetaImage : public ScratchFolder {
 };
 
 TEST_F(MetaImage, readsOneFile) {
-  expectVolume(readPath(write("v.mha", kHeader + "ElementDataFile = LOCAL\n" + bytesOf(counting<int16_t>(24)))));
+  expectVolume(readPath(
+      write("v.mha", kHeader + "ElementDataFile = LOCAL\n" + bytesOf(counting<int16_t>(24)))));
 }
 
 TEST_F(MetaImage, readsTwoFiles) {

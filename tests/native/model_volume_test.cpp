@@ -25,7 +25,8 @@ Mesh surfaceOf(const LoadedVolume& volume) {
 /// How far the surface of the samples and the model are apart, in steps of the grid.
 measure::Distance distanceBetween(const LoadedVolume& volume, const Mesh& model) {
   measure::Distance distance = measure::surfaceDistance(surfaceOf(volume), model)->symmetric();
-  for (double* each : {&distance.mean, &distance.rms, &distance.max}) *each /= volume.placement.spacing[0];
+  for (double* each : {&distance.mean, &distance.rms, &distance.max})
+    *each /= volume.placement.spacing[0];
   return distance;
 }
 
@@ -46,7 +47,8 @@ std::string complaint(const Mesh& mesh, int grid = 65) {
 
 Mesh knot() {
   const auto centre = [](double a) {
-    return measure::Vector3{std::sin(a) + 2 * std::sin(2 * a), std::cos(a) - 2 * std::cos(2 * a), -std::sin(3 * a)};
+    return measure::Vector3{std::sin(a) + 2 * std::sin(2 * a), std::cos(a) - 2 * std::cos(2 * a),
+                            -std::sin(3 * a)};
   };
   return sheet(200, 30, true, true, [&](Mesh& mesh, double u, double v) {
     const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
@@ -79,9 +81,10 @@ Mesh turned(Mesh mesh) {
 /// Every triangle with vertices of its own.
 Mesh soup(const Mesh& mesh) {
   Mesh apart;
-  for (uint32_t vertex : mesh.triangles) {
-    apart.triangles.push_back(static_cast<uint32_t>(apart.triangles.size()));
-    for (size_t axis = 0; axis < 3; ++axis) apart.positions.push_back(mesh.positions[3 * size_t{vertex} + axis]);
+  for (uint32_t vertex : mesh.indices) {
+    apart.indices.push_back(static_cast<uint32_t>(apart.indices.size()));
+    for (size_t axis = 0; axis < 3; ++axis)
+      apart.positions.push_back(mesh.positions[3 * size_t{vertex} + axis]);
   }
   return apart;
 }
@@ -89,7 +92,9 @@ Mesh soup(const Mesh& mesh) {
 TEST(ModelVolume, tellsDistancesInStepsOfTheGrid) {
   const LoadedVolume volume = sampled(cube(-1, 2, 5, 7), 64);  // 57 steps inside the margins of 3.5
   EXPECT_EQ(volume.size, (std::array<int32_t, 3>{64, 64, 64}));
-  const auto at = [&](int i, int j, int k) { return volume.samples[(size_t(k) * 64 + size_t(j)) * 64 + size_t(i)]; };
+  const auto at = [&](int i, int j, int k) {
+    return volume.samples[(size_t(k) * 64 + size_t(j)) * 64 + size_t(i)];
+  };
   EXPECT_NEAR(at(3, 30, 30), -0.5, 1e-4);
   EXPECT_NEAR(at(4, 30, 30), 0.5, 1e-4);
   EXPECT_NEAR(at(6, 30, 5), 1.5, 1e-4);
@@ -106,12 +111,14 @@ TEST(ModelVolume, liesWhereTheModelLies) {
 }
 
 TEST(ModelVolume, givesBackSmoothModelsWithTheirTopology) {
-  for (const Mesh& model : {sphere(60, 1), torus(90, 3, 1), knot(), together(sphere(60, 3), sphere(30, 1.5))}) {
+  for (const Mesh& model :
+       {sphere(60, 1), torus(90, 3, 1), knot(), together(sphere(60, 3), sphere(30, 1.5))}) {
     const LoadedVolume volume = sampled(model, 129);
     const measure::Distance distance = distanceBetween(volume, model);
     EXPECT_LT(distance.rms, 0.05);
     EXPECT_LT(distance.max, 0.3);
-    const measure::Topology found = measure::topologyOf(surfaceOf(volume)), asked = measure::topologyOf(model);
+    const measure::Topology found = measure::topologyOf(surfaceOf(volume)),
+                            asked = measure::topologyOf(model);
     EXPECT_EQ(found.components, asked.components);
     EXPECT_EQ(found.genus(), asked.genus());
     EXPECT_EQ(found.boundaryEdges, 0u);
@@ -124,14 +131,16 @@ TEST(ModelVolume, keepsThinPlatesAndTellsOfThoseTooThin) {
   const LoadedVolume kept = sampled(thin, 97);
   EXPECT_LT(distanceBetween(kept, thin).rms, 0.2);
   EXPECT_TRUE(kept.remarks.empty()) << remarksOf(kept);
-  EXPECT_NE(remarksOf(sampled(plate(0.002f), 65)).find("too thin for --grid 65"), std::string::npos);
+  EXPECT_NE(remarksOf(sampled(plate(0.002f), 65)).find("too thin for --grid 65"),
+            std::string::npos);
 }
 
 TEST(ModelVolume, neitherOrientationNorSharedVerticesMatter) {
   const Mesh model = torus(40, 3, 1);
   const std::vector<float> samples = sampled(model).samples;
   Mesh flipped = model;
-  for (size_t t = 0; t < flipped.triangles.size(); t += 9) std::swap(flipped.triangles[t], flipped.triangles[t + 1]);
+  for (size_t t = 0; t < flipped.indices.size(); t += 9)
+    std::swap(flipped.indices[t], flipped.indices[t + 1]);
   EXPECT_EQ(sampled(flipped).samples, samples);
   const LoadedVolume apart = sampled(soup(model));
   EXPECT_EQ(apart.samples, samples);
@@ -141,20 +150,22 @@ TEST(ModelVolume, neitherOrientationNorSharedVerticesMatter) {
 TEST(ModelVolume, survivesDoubledAndDegenerateTriangles) {
   Mesh model = torus(40, 3, 1);
   const std::vector<float> samples = sampled(model).samples;
-  for (int i = 0; i < 6; ++i) model.triangles.push_back(model.triangles[static_cast<size_t>(i)]);
-  model.triangles.insert(model.triangles.end(), {7, 7, 9});
+  for (int i = 0; i < 6; ++i) model.indices.push_back(model.indices[static_cast<size_t>(i)]);
+  model.indices.insert(model.indices.end(), {7, 7, 9});
   const LoadedVolume volume = sampled(model);
   EXPECT_EQ(volume.samples, samples);
-  EXPECT_NE(remarksOf(volume).find("1 triangle without area left out, 2 doubled triangles left out"),
-            std::string::npos);
+  EXPECT_NE(
+      remarksOf(volume).find("1 triangle without area left out, 2 doubled triangles left out"),
+      std::string::npos);
 }
 
 TEST(ModelVolume, closesHolesByVote) {
   const Mesh whole = torus(60, 3, 1);
   Mesh open = whole;
-  open.triangles.erase(open.triangles.begin() + 300, open.triangles.begin() + 300 + 3 * 12);
+  open.indices.erase(open.indices.begin() + 300, open.indices.begin() + 300 + 3 * 12);
   const LoadedVolume volume = sampled(open);
-  EXPECT_NE(remarksOf(volume).find("not closed: 14 boundary edges"), std::string::npos) << remarksOf(volume);
+  EXPECT_NE(remarksOf(volume).find("not closed: 14 boundary edges"), std::string::npos)
+      << remarksOf(volume);
   EXPECT_LT(distanceBetween(volume, whole).rms, 0.2);
   EXPECT_EQ(measure::topologyOf(surfaceOf(volume)).boundaryEdges, 0u);
 }
@@ -169,7 +180,7 @@ TEST(ModelVolume, keepsAllOfASurfaceThatMeetsItself) {
 TEST(ModelVolume, refusesMeshesWithoutASurface) {
   EXPECT_EQ(complaint({}), "model: has no triangles");
   Mesh flat = cube(0, 0, 0, 1);
-  flat.triangles = {0, 0, 1, 2, 3, 3};
+  flat.indices = {0, 0, 1, 2, 3, 3};
   EXPECT_EQ(complaint(flat), "model: has no triangle with an area");
   EXPECT_NE(complaint(cube(0, 0, 0, 1), 2048).find("at most 2^31"), std::string::npos);
 }

@@ -49,7 +49,8 @@ TEST_F(Nifti, readsSamplesAndTurnsRasIntoLps) {
 
 TEST_F(Nifti, keepsAShearedAffine) {
   // 30 degrees off: ITK 5.2 refuses the file.
-  const LoadedVolume volume = readShorts(Header().sform({1, 0.5f, 0, 1, 0, 0.8660254f, 0, 2, 0, 0, 2, 3}));
+  const LoadedVolume volume =
+      readShorts(Header().sform({1, 0.5f, 0, 1, 0, 0.8660254f, 0, 2, 0, 0, 2, 3}));
   expectPoint(worldOf(volume.placement, 0, 0, 0), -1, -2, 3);
   expectPoint(worldOf(volume.placement, 1, 2, 3), -3, -2 - 2 * 0.8660254, 9);
   ASSERT_EQ(volume.remarks.size(), 1u);
@@ -67,7 +68,8 @@ TEST_F(Nifti, prefersSformThenQformThenSpacing) {
 }
 
 TEST_F(Nifti, turnsMetresIntoMillimetres) {
-  const LoadedVolume volume = readShorts(Header().sform({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}).put<uint8_t>(123, 1));
+  const LoadedVolume volume =
+      readShorts(Header().sform({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}).put<uint8_t>(123, 1));
   expectPoint(worldOf(volume.placement, 1, 1, 1), -1000, -1000, 1000);
 }
 
@@ -80,7 +82,8 @@ TEST_F(Nifti, appliesItsSlope) {
 TEST_F(Nifti, refusesNaN) {
   std::vector<float> samples = counting<float>(24);
   samples[7] = std::numeric_limits<float>::quiet_NaN();
-  const std::string found = complaint(write("v.nii", Header().type(16, 32).bytes + bytesOf(samples)));
+  const std::string found =
+      complaint(write("v.nii", Header().type(16, 32).bytes + bytesOf(samples)));
   EXPECT_NE(found.find("the first at (1, 0, 1)"), std::string::npos) << found;
 }
 
@@ -95,10 +98,12 @@ TEST_F(Nifti, readsASeriesAsASequence) {
 
 TEST_F(Nifti, refusesColoursAndFlatAffines) {
   const std::string samples = bytesOf(counting<int16_t>(48));
-  EXPECT_NE(complaint(write("v.nii", Header().type(128, 24).bytes + samples)).find("RGB"), std::string::npos);
-  EXPECT_NE(
-      complaint(write("v.nii", Header().sform({1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0}).bytes + samples)).find("inverted"),
-      std::string::npos);
+  EXPECT_NE(complaint(write("v.nii", Header().type(128, 24).bytes + samples)).find("RGB"),
+            std::string::npos);
+  EXPECT_NE(complaint(write("v.nii",
+                            Header().sform({1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0}).bytes + samples))
+                .find("inverted"),
+            std::string::npos);
 }
 
 TEST_F(Nifti, refusesEveryCutFile) {
@@ -108,7 +113,8 @@ TEST_F(Nifti, refusesEveryCutFile) {
 }
 
 TEST_F(Nifti, refusesImpossibleSizes) {
-  EXPECT_NE(complaint(write("v.nii", Header().size(3, 32767, 32767, 32767).bytes + "1234")).find("cannot hold"),
+  EXPECT_NE(complaint(write("v.nii", Header().size(3, 32767, 32767, 32767).bytes + "1234"))
+                .find("cannot hold"),
             std::string::npos);
 }
 

@@ -30,21 +30,24 @@ TEST_F(Raw, readsEveryType) {
 
 TEST_F(Raw, takesSpacingFromTheCommandLine) {
   write("v.raw", bytesOf(counting<uint8_t>(8)));
-  const LoadedVolume volume = readVolume({path("v.raw"), ClaimedSize{2, 2, 2}, SampleType::U8, {{0.5, 1, 2}}});
+  const LoadedVolume volume =
+      readVolume({path("v.raw"), ClaimedSize{2, 2, 2}, SampleType::U8, {{0.5, 1, 2}}});
   expectPoint(worldOf(volume.placement, 1, 1, 1), 0.5, 1, 2);
 }
 
 TEST_F(Raw, refusesAnotherLength) {
   write("v.raw", "1234567");
-  EXPECT_NE(complaint({path("v.raw"), ClaimedSize{2, 2, 2}, SampleType::U8, {}}).find("has 7 bytes"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint({path("v.raw"), ClaimedSize{2, 2, 2}, SampleType::U8, {}}).find("has 7 bytes"),
+      std::string::npos);
 }
 
 TEST_F(Raw, refusesImpossibleSizesBeforeAllocating) {
   write("v.raw", "1234567");
   const int64_t large = int64_t{1} << 30;
   EXPECT_NE(complaint({path("v.raw"), ClaimedSize{large, large, large}, SampleType::F64, {}}), "");
-  EXPECT_NE(complaint({path("v.raw"), ClaimedSize{int64_t{1} << 40, 1, 1}, SampleType::U8, {}}).find("impossible"),
+  EXPECT_NE(complaint({path("v.raw"), ClaimedSize{int64_t{1} << 40, 1, 1}, SampleType::U8, {}})
+                .find("impossible"),
             std::string::npos);
 }
 
@@ -54,12 +57,15 @@ TEST_F(Raw, tellsWhereSamplesAreNotFinite) {
   samples[20] = std::numeric_limits<float>::infinity();
   write("v.raw", bytesOf(samples));
   const std::string found = complaint({path("v.raw"), ClaimedSize{2, 3, 4}, SampleType::F32, {}});
-  EXPECT_NE(found.find("2 samples are not a finite number, the first at (1, 0, 2)"), std::string::npos) << found;
+  EXPECT_NE(found.find("2 samples are not a finite number, the first at (1, 0, 2)"),
+            std::string::npos)
+      << found;
 }
 
 TEST_F(Raw, refusesNumbersBeyondFloats) {
   write("v.raw", bytesOf(std::vector<double>{0, 1e300}));
-  EXPECT_NE(complaint({path("v.raw"), ClaimedSize{2, 1, 1}, SampleType::F64, {}}).find("(1, 0, 0)"), std::string::npos);
+  EXPECT_NE(complaint({path("v.raw"), ClaimedSize{2, 1, 1}, SampleType::F64, {}}).find("(1, 0, 0)"),
+            std::string::npos);
 }
 
 TEST_F(Raw, needsItsSizeAndType) {

@@ -31,7 +31,8 @@ TEST(SurfaceDistance, ofConcentricSpheres) {
 }
 
 TEST(SurfaceDistance, tellsItsTwoDirectionsApart) {
-  // Half of the wide plane hangs over: its far side is 10 away from the narrow one, whose own points are all on it.
+  // Half of the wide plane hangs over: its far side is 10 away from the narrow one, whose own
+  // points are all on it.
   Mesh wide = plane(20, 20, 0), narrow = plane(10, 10, 0);
   for (size_t v = 0; v < narrow.positions.size() / 3; ++v) narrow.positions[3 * v + 1] *= 2;
   const auto found = surfaceDistance(wide, narrow);
@@ -42,7 +43,8 @@ TEST(SurfaceDistance, tellsItsTwoDirectionsApart) {
 }
 
 TEST(SurfaceDistance, weighsByAreaNotByTriangles) {
-  // A finely cut copy of a tenth of the area, lifted by 1: triangles would say 0.99, area says a tenth.
+  // A finely cut copy of a tenth of the area, lifted by 1: triangles would say 0.99, area says a
+  // tenth.
   Mesh mixed = plane(30, 1, 1);
   for (size_t v = 0; v < mixed.positions.size() / 3; ++v) mixed.positions[3 * v] *= 0.1f;
   Mesh rest = plane(1, 1, 0);
@@ -66,7 +68,8 @@ TEST(TriangleTree, agreesWithEveryTriangleAskedInTurn) {
   for (int i = 0; i < 500; ++i) {
     const measure::Vector3 point{i * 37 % 41 - 20.0, i * 53 % 43 - 21.0, i * 29 % 17 - 8.0};
     double best = INFINITY;
-    for (size_t t = 0; t < tree.size(); ++t) best = std::min(best, squaredDistance(point, tree.triangle(t)));
+    for (size_t t = 0; t < tree.size(); ++t)
+      best = std::min(best, squaredDistance(point, tree.triangle(t)));
     EXPECT_DOUBLE_EQ(tree.distance(point, near), std::sqrt(best));
     EXPECT_DOUBLE_EQ(squaredDistance(point, tree.triangle(near)), best);
   }

@@ -1,4 +1,5 @@
-// Tetrahedral meshes as fields: what is mended, where they end, their isosurface, and what of them a grid keeps.
+// Tetrahedral meshes as fields: what is mended, where they end, their isosurface, and what of them
+// a grid keeps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,7 +79,8 @@ TEST(Mend, countsWhatItLeavesOutAndTurns) {
 
 TEST(Mend, joinsPointsOfOnePlaceAndValue) {
   TetrahedralMesh apart;
-  for (TetrahedralMesh whole = cubesOfTetrahedra(2, linear); const Corners4& corners : whole.tetrahedra) {
+  for (TetrahedralMesh whole = cubesOfTetrahedra(2, linear);
+       const Corners4& corners : whole.tetrahedra) {
     const auto first = static_cast<uint32_t>(apart.points.size());
     apart.tetrahedra.push_back({first, first + 1, first + 2, first + 3});
     for (uint32_t point : corners) {
@@ -114,9 +116,11 @@ TEST(TetrahedralField, isLinearInsideAndJustBeyond) {
     if (within) {
       ASSERT_NEAR(*field.value(point), linear(point), 1e-5);
     }
-    ASSERT_NEAR(field.beyond(point + Vector3{0, 0, 5}, 10, near), linear(point + Vector3{0, 0, 5}), 1e-4);
+    ASSERT_NEAR(field.beyond(point + Vector3{0, 0, 5}, 10, near), linear(point + Vector3{0, 0, 5}),
+                1e-4);
   }
-  EXPECT_NEAR(field.beyond({1.2, 3.1, 104}, 2, near), linear({1.2, 3.1, 6}), 1e-4) << "it stays as it was at its reach";
+  EXPECT_NEAR(field.beyond({1.2, 3.1, 104}, 2, near), linear({1.2, 3.1, 6}), 1e-4)
+      << "it stays as it was at its reach";
   EXPECT_NEAR(field.domainDistance({2, 1, 2.2}, near), 1, 1e-6);
   EXPECT_NEAR(field.domainDistance({2, 1, -0.5}, near), -0.5, 1e-6);
 }
@@ -133,7 +137,8 @@ TEST(TetrahedralField, doesNotEndAtHangingNodesNorAtUnlikeValuesOfOnePlace) {
   TetrahedralMesh fine = cubesOfTetrahedra(4, linear), coarse = cubesOfTetrahedra(2, linear);
   for (Vector3& point : coarse.points) point = {4 + 2 * point.x, 2 * point.y, 2 * point.z};
   const TetrahedralField hanging = fieldOf(together(fine, coarse));
-  EXPECT_EQ(hanging.boundary().hangingNodes, 16u);  // 25 points of the fine face, 9 of the coarse one
+  EXPECT_EQ(hanging.boundary().hangingNodes,
+            16u);  // 25 points of the fine face, 9 of the coarse one
   uint32_t near = 0;
   EXPECT_NEAR(hanging.domainDistance({4, 2.2, 1.9}, near), 1.8, 1e-5);
   EXPECT_NE(remarksOf(hanging.mesh()).find("hanging nodes: 16"), std::string::npos);
@@ -153,12 +158,15 @@ TEST(MarchingTetrahedra, aBallIsClosedAndItsNormalsPointOut) {
   EXPECT_EQ(topology.boundaryEdges, 0u);
   EXPECT_EQ(topology.genus(), 0);
   double volume = 0;
-  for (size_t t = 0; t < surface.triangles.size(); t += 3) {
-    const auto at = [&](size_t c) { return measure::vertexAt(surface.positions, surface.triangles[t + c]); };
+  for (size_t t = 0; t < surface.indices.size(); t += 3) {
+    const auto at = [&](size_t c) {
+      return measure::vertexAt(surface.positions, surface.indices[t + c]);
+    };
     volume += dot(cross(at(0), at(1)), at(2)) / 6;
     EXPECT_NEAR(*field.value(at(0)), 0, 1e-5);
   }
-  EXPECT_NEAR(volume, 4.0 / 3 * 3.14159 * 27, 8) << "positive where triangles are counter-clockwise from outside";
+  EXPECT_NEAR(volume, 4.0 / 3 * 3.14159 * 27, 8)
+      << "positive where triangles are counter-clockwise from outside";
 }
 
 TEST(MarchingTetrahedra, cutsEveryKindOfTetrahedronTheRightWay) {
@@ -171,8 +179,10 @@ TEST(MarchingTetrahedra, cutsEveryKindOfTetrahedronTheRightWay) {
       towardsNegative = towardsNegative - sign * (mesh.points[i] - Vector3{0.25, 0.25, 0.25});
     }
     const Mesh cut = isosurfaceOf(mesh, 0);
-    for (size_t t = 0; t < cut.triangles.size(); t += 3) {
-      const auto at = [&](size_t c) { return measure::vertexAt(cut.positions, cut.triangles[t + c]); };
+    for (size_t t = 0; t < cut.indices.size(); t += 3) {
+      const auto at = [&](size_t c) {
+        return measure::vertexAt(cut.positions, cut.indices[t + c]);
+      };
       EXPECT_GT(dot(cross(at(1) - at(0), at(2) - at(0)), towardsNegative), 0) << positive;
     }
     EXPECT_EQ(measure::topologyOf(cut).misorientedEdges, 0u);
@@ -183,14 +193,15 @@ TEST(Trimmed, endsAtTheDomainsBoundary) {
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
   Mesh wide;  // far beyond on all sides, at z = 1.5
   wide.positions = {-20, -20, 1.5, 20, -20, 1.5, 20, 20, 1.5, -20, 20, 1.5};
-  wide.triangles = {0, 1, 2, 0, 2, 3};
-  EXPECT_TRUE(trimmed(wide, field).triangles.empty()) << "no vertex is inside";
+  wide.indices = {0, 1, 2, 0, 2, 3};
+  EXPECT_TRUE(trimmed(wide, field).indices.empty()) << "no vertex is inside";
   Mesh grid;
   for (int j = 0; j < 17; ++j)
-    for (int i = 0; i < 17; ++i) grid.positions.insert(grid.positions.end(), {i * 0.4f - 1, j * 0.4f - 1, 1.5f});
+    for (int i = 0; i < 17; ++i)
+      grid.positions.insert(grid.positions.end(), {i * 0.4f - 1, j * 0.4f - 1, 1.5f});
   for (uint32_t j = 0; j < 16; ++j)
     for (uint32_t i = 0; i < 16; ++i)
-      for (uint32_t c : {0u, 1u, 18u, 0u, 18u, 17u}) grid.triangles.push_back(j * 17 + i + c);
+      for (uint32_t c : {0u, 1u, 18u, 0u, 18u, 17u}) grid.indices.push_back(j * 17 + i + c);
   const Mesh kept = trimmed(grid, field);
   float low = 9, high = -9;
   for (size_t v = 0; v < kept.positions.size(); v += 3) {
@@ -236,7 +247,8 @@ TEST(Resample, gridsCoverTheMesh) {
 TetrahedralField roomsApart(double thickness) {
   TetrahedralMesh rooms = cubesOfTetrahedra(4, linear), other = rooms;
   for (Vector3& point : other.points) point.x += 4 + thickness;
-  for (size_t i = 0; i < other.points.size(); ++i) other.values[i] = static_cast<float>(linear(other.points[i]));
+  for (size_t i = 0; i < other.points.size(); ++i)
+    other.values[i] = static_cast<float>(linear(other.points[i]));
   return fieldOf(together(rooms, other));
 }
 
@@ -291,7 +303,9 @@ TEST(Resample, seesAirOneStepThick) {
 }
 
 TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
-  const auto wave = [](const Vector3& p) { return p.z - 4.2 - std::sin(0.7 * p.x) * std::cos(0.5 * p.y); };
+  const auto wave = [](const Vector3& p) {
+    return p.z - 4.2 - std::sin(0.7 * p.x) * std::cos(0.5 * p.y);
+  };
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, wave));
   const SampleGrid grid = gridOver(field, 0, 65, "mesh");
   const ResampledField sampled = resample(field, grid, [](double) {});
@@ -307,7 +321,7 @@ TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
 TEST(RimmedSurface, goesOnInItsPlanes) {
   Mesh square;
   square.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-  square.triangles = {0, 1, 2, 0, 2, 3};
+  square.indices = {0, 1, 2, 0, 2, 3};
   const RimmedSurface surface(square);
   uint32_t near = 0;
   for (const Vector3& above : {Vector3{0.5, 0.25, 0.3}, {0.5, 0.5, -0.3}, {0.2, 0.7, 0.3}}) {
@@ -363,7 +377,8 @@ TEST(EncodeWithin, holdsTheBoundAgainstTheTetrahedra) {
 TEST(EncodeWithin, anEmptySurfaceKeepsAnyBound) {
   EncodeOptions options;
   options.isovalue = 99;
-  const BoundedStream made = encodeWithin(1e-9, fieldOf(cubesOfTetrahedra(4, ball)), options, "mesh", [](double) {});
+  const BoundedStream made =
+      encodeWithin(1e-9, fieldOf(cubesOfTetrahedra(4, ball)), options, "mesh", [](double) {});
   EXPECT_EQ(made.distance, 0);
   EXPECT_FALSE(made.stream.empty());
 }

@@ -30,7 +30,8 @@ TetrahedralMesh cubesOfTetrahedra(int n, Function value) {
             ++p[order[c]];
             corners[c + 1] = at(p);
           }
-          const bool odd = (order[0] > order[1]) != ((order[1] > order[2]) != (order[0] > order[2]));
+          const bool odd =
+              (order[0] > order[1]) != ((order[1] > order[2]) != (order[0] > order[2]));
           if (odd) std::swap(corners[2], corners[3]);
           mesh.tetrahedra.push_back(corners);
         } while (std::next_permutation(order.begin(), order.end()));

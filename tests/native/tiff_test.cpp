@@ -22,9 +22,10 @@ std::string tiff(const std::vector<Page>& pages, uint16_t samplesPerPixel = 1) {
     const auto entry = [](uint16_t tag, uint16_t type, uint32_t value) {
       return bytesOf(tag) + bytesOf(type) + bytesOf(uint32_t{1}) + bytesOf(value);
     };
-    file += bytesOf(uint16_t{9}) + entry(256, 4, width) + entry(257, 4, height) + entry(258, 3, 8) + entry(259, 3, 1) +
-            entry(262, 3, samplesPerPixel == 3 ? 2 : 1) + entry(273, 4, strip) + entry(277, 3, samplesPerPixel) +
-            entry(278, 4, height) + entry(279, 4, static_cast<uint32_t>(page.size()));
+    file += bytesOf(uint16_t{9}) + entry(256, 4, width) + entry(257, 4, height) + entry(258, 3, 8) +
+            entry(259, 3, 1) + entry(262, 3, samplesPerPixel == 3 ? 2 : 1) + entry(273, 4, strip) +
+            entry(277, 3, samplesPerPixel) + entry(278, 4, height) +
+            entry(279, 4, static_cast<uint32_t>(page.size()));
     link = file.size();
     file += std::string(4, '\0');
   }
@@ -40,7 +41,8 @@ Page page(uint8_t first, uint32_t width = 2, uint32_t height = 3) {
 using Tiff = ScratchFolder;
 
 TEST_F(Tiff, readsThePagesOfAFile) {
-  const LoadedVolume volume = readPath(write("v.tif", tiff({page(0), page(6), page(12), page(18)})));
+  const LoadedVolume volume =
+      readPath(write("v.tif", tiff({page(0), page(6), page(12), page(18)})));
   EXPECT_EQ(volume.size, (std::array<int32_t, 3>{2, 3, 4}));
   expectCounting(volume.samples);
   expectPoint(volume.placement.spacing, 1, 1, 1);
@@ -63,7 +65,8 @@ TEST_F(Tiff, refusesSlicesOfDifferentSize) {
 }
 
 TEST_F(Tiff, refusesPagesOfDifferentSize) {
-  const std::string found = complaint(write("v.tif", tiff({page(0, 4, 4), page(0, 3, 5), page(0, 4, 4)})));
+  const std::string found =
+      complaint(write("v.tif", tiff({page(0, 4, 4), page(0, 3, 5), page(0, 4, 4)})));
   EXPECT_NE(found.find("page 2 is 3 x 5, the first 4 x 4"), std::string::npos) << found;
 }
 
@@ -72,12 +75,16 @@ TEST_F(Tiff, readsOnePageAsAnImageFromZeroToOne) {
   EXPECT_EQ(grey.dimension, 2);
   EXPECT_EQ(grey.size, (std::array<int32_t, 3>{2, 1, 1}));
   EXPECT_EQ(grey.samples, (std::vector<float>{0.2F, 1}));
-  const LoadedVolume colours = readPath(write("v.tif", tiff({{3, 1, std::string("\xFF\0\0\0\xFF\0\0\0\xFF", 9)}}, 3)));
-  EXPECT_EQ(colours.samples, (std::vector<float>{54 / 255.0F, 182 / 255.0F, 18 / 255.0F})) << "luminance";
+  const LoadedVolume colours =
+      readPath(write("v.tif", tiff({{3, 1, std::string("\xFF\0\0\0\xFF\0\0\0\xFF", 9)}}, 3)));
+  EXPECT_EQ(colours.samples, (std::vector<float>{54 / 255.0F, 182 / 255.0F, 18 / 255.0F}))
+      << "luminance";
 }
 
 TEST_F(Tiff, refusesColoursInAStackAndCutFiles) {
-  EXPECT_NE(complaint(write("v.tif", tiff({{2, 1, "rgbrgb"}, {2, 1, "rgbrgb"}}, 3))).find("3 values a sample"), std::string::npos);
+  EXPECT_NE(complaint(write("v.tif", tiff({{2, 1, "rgbrgb"}, {2, 1, "rgbrgb"}}, 3)))
+                .find("3 values a sample"),
+            std::string::npos);
   const std::string whole = tiff({page(0), page(6)});
   for (size_t length = 0; length + 1 < whole.size(); ++length)
     EXPECT_NE(complaint(write("v.tif", whole.substr(0, length))), "") << "cut at " << length;

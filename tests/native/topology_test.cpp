@@ -38,7 +38,7 @@ TEST(Topology, ofAPlane) {
 
 TEST(Topology, ofATorusWithAHole) {
   Mesh mesh = torus(12, 3, 1);
-  mesh.triangles.resize(mesh.triangles.size() - 3);
+  mesh.indices.resize(mesh.indices.size() - 3);
   expect(topologyOf(mesh), 1, -1, 1, 3);
 }
 
@@ -49,14 +49,14 @@ TEST(Topology, ofNothing) {
 TEST(Topology, passesOverLooseVerticesAndFlatTriangles) {
   Mesh mesh = cube(0, 0, 0, 1);
   addVertex(mesh, 9, 9, 9);
-  mesh.triangles.insert(mesh.triangles.end(), {0, 1, 1});
+  mesh.indices.insert(mesh.indices.end(), {0, 1, 1});
   expect(topologyOf(mesh), 1, 2, 0, 0);
 }
 
 TEST(Topology, seesEdgesOfThreeTriangles) {
   Mesh mesh;
   for (int i = 0; i < 5; ++i) addVertex(mesh, i, i * i, i % 2);
-  mesh.triangles = {0, 1, 2, 1, 0, 3, 0, 1, 4};
+  mesh.indices = {0, 1, 2, 1, 0, 3, 0, 1, 4};
   const Topology found = topologyOf(mesh);
   EXPECT_EQ(found.nonManifoldEdges, 1u);
   EXPECT_FALSE(found.genus());
@@ -64,7 +64,7 @@ TEST(Topology, seesEdgesOfThreeTriangles) {
 
 TEST(Topology, seesTurnedTriangles) {
   Mesh mesh = cube(0, 0, 0, 1);
-  std::swap(mesh.triangles[0], mesh.triangles[1]);
+  std::swap(mesh.indices[0], mesh.indices[1]);
   const Topology found = topologyOf(mesh);
   EXPECT_EQ(found.misorientedEdges, 3u);
   EXPECT_FALSE(found.genus());

@@ -14,16 +14,19 @@ std::string countingWords(int count) {
 std::string vti(const std::string& components = "1", const std::string& head = "") {
   return "<?xml version=\"1.0\"?>\n" + head +
          "<VTKFile type=\"ImageData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-         "<ImageData WholeExtent=\"1 2 0 2 0 3\" Origin=\"10 20 30\" Spacing=\"0.5 2 3\" Direction=\"0 -1 0 1 0 0 0 0 "
+         "<ImageData WholeExtent=\"1 2 0 2 0 3\" Origin=\"10 20 30\" Spacing=\"0.5 2 3\" "
+         "Direction=\"0 -1 0 1 0 0 0 0 "
          "1\">\n"
-         "<Piece Extent=\"1 2 0 2 0 3\"><PointData Scalars=\"s\"><DataArray type=\"Int16\" Name=\"s\" format=\"ascii\" "
+         "<Piece Extent=\"1 2 0 2 0 3\"><PointData Scalars=\"s\"><DataArray type=\"Int16\" "
+         "Name=\"s\" format=\"ascii\" "
          "NumberOfComponents=\"" +
          components + "\">" + countingWords(24 * std::stoi(components)) +
          "</DataArray></PointData></Piece></ImageData></VTKFile>\n";
 }
 
 std::string legacy() {
-  return "# vtk DataFile Version 3.0\ncounting\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 4\nORIGIN 1 2 3\n"
+  return "# vtk DataFile Version 3.0\ncounting\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 "
+         "4\nORIGIN 1 2 3\n"
          "SPACING 0.5 2 3\nPOINT_DATA 24\nSCALARS s float 1\nLOOKUP_TABLE default\n" +
          countingWords(24) + "\n";
 }
@@ -48,7 +51,8 @@ TEST_F(VtkImage, readsLegacyStructuredPoints) {
 
 TEST_F(VtkImage, refusesVectorsEntitiesAndForeignFiles) {
   EXPECT_NE(complaint(write("v.vti", vti("3"))).find("3 values a sample"), std::string::npos);
-  EXPECT_NE(complaint(write("v.vti", vti("1", "<!DOCTYPE a [<!ENTITY b \"c\">]>"))).find("DOCTYPE"), std::string::npos);
+  EXPECT_NE(complaint(write("v.vti", vti("1", "<!DOCTYPE a [<!ENTITY b \"c\">]>"))).find("DOCTYPE"),
+            std::string::npos);
   EXPECT_NE(complaint(write("v.vti", "hello")), "");
   EXPECT_NE(complaint(write("v.vtk", "hello")), "");
 }
@@ -56,7 +60,8 @@ TEST_F(VtkImage, refusesVectorsEntitiesAndForeignFiles) {
 TEST_F(VtkImage, refusesCutFiles) {
   for (const auto& [name, whole] : {std::pair{"v.vti", vti()}, std::pair{"v.vtk", legacy()}}) {
     for (size_t length = 0; length + 10 < whole.size(); length += 11)
-      EXPECT_NE(complaint(write(name, whole.substr(0, length))), "") << name << " cut at " << length;
+      EXPECT_NE(complaint(write(name, whole.substr(0, length))), "")
+          << name << " cut at " << length;
   }
 }
 

@@ -21,13 +21,15 @@ std::string vtu(const Parts& parts = {}, const std::string& head = "") {
     return "<DataArray format=\"ascii\" " + attributes + ">" + values + "</DataArray>";
   };
   return "<?xml version=\"1.0\"?>\n" + head +
-         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>\n"
+         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+         "byte_order=\"LittleEndian\"><UnstructuredGrid>\n"
          "<Piece NumberOfPoints=\"5\" NumberOfCells=\"" +
-         std::to_string(1 + std::count(parts.types.begin(), parts.types.end(), ' ')) + "\"><PointData" + parts.marked +
-         ">" + parts.arrays + "</PointData><Points>" +
+         std::to_string(1 + std::count(parts.types.begin(), parts.types.end(), ' ')) +
+         "\"><PointData" + parts.marked + ">" + parts.arrays + "</PointData><Points>" +
          array("type=\"Float64\" NumberOfComponents=\"3\"", parts.points) + "</Points><Cells>" +
          array("type=\"Int64\" Name=\"connectivity\"", parts.cells) +
-         array("type=\"Int64\" Name=\"offsets\"", parts.offsets) + array("type=\"UInt8\" Name=\"types\"", parts.types) +
+         array("type=\"Int64\" Name=\"offsets\"", parts.offsets) +
+         array("type=\"UInt8\" Name=\"types\"", parts.types) +
          "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
 }
 
@@ -35,7 +37,8 @@ std::string legacy() {
   return "# vtk DataFile Version 3.0\ntwo\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n"
          "0 0 0 1 0 0 0 1 0 0 0 1 1 1 1\nCELLS 2 10\n4 0 1 2 3\n4 1 2 3 4\nCELL_TYPES 2\n10\n10\n"
          "POINT_DATA 5\nVECTORS v float\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
-         "SCALARS p float 1\nLOOKUP_TABLE default\n9 8 7 6 5\nSCALARS t float 1\nLOOKUP_TABLE default\n1 2 3 4 5\n";
+         "SCALARS p float 1\nLOOKUP_TABLE default\n9 8 7 6 5\nSCALARS t float 1\nLOOKUP_TABLE "
+         "default\n1 2 3 4 5\n";
 }
 
 class VtkTetrahedra : public ScratchFolder {
@@ -63,7 +66,8 @@ TEST_F(VtkTetrahedra, readsBothFormats) {
     EXPECT_EQ(mesh.values, (std::vector<float>{1, 2, 3, 4, 5}));
     EXPECT_EQ(mesh.tetrahedra.size(), 2u);
   }
-  EXPECT_FALSE(isTetrahedral(write("image.vtk", "# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n")));
+  EXPECT_FALSE(isTetrahedral(
+      write("image.vtk", "# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_POINTS\n")));
 }
 
 TEST_F(VtkTetrahedra, takesTheMarkedScalarElseTheFirst) {
@@ -78,7 +82,8 @@ TEST_F(VtkTetrahedra, takesTheMarkedScalarElseTheFirst) {
 
 TEST_F(VtkTetrahedra, tellsWhichScalarsThereAre) {
   EXPECT_EQ(complaint("a.vtu", vtu(), "u"), ": has no scalar u at its points, but t");
-  EXPECT_EQ(complaint("a.vtk", legacy(), "v"), ": v has 3 values a point; one is needed, as in p, t");
+  EXPECT_EQ(complaint("a.vtk", legacy(), "v"),
+            ": v has 3 values a point; one is needed, as in p, t");
   Parts parts;
   parts.arrays =
       R"(<DataArray type="Float32" Name="v" NumberOfComponents="2" format="ascii">1 2 3 4 5 6 7 8 9 0</DataArray>)";
@@ -91,9 +96,9 @@ TEST_F(VtkTetrahedra, countsOtherCells) {
   Parts parts;
   parts.types = "10 5";
   parts.offsets = "4 7";
-  EXPECT_EQ(
-      readTetrahedra(write("a.vtu", vtu(parts)), {}).remarks,
-      (std::vector<std::string>{"cells that are no tetrahedra, left out: 1", "points of no tetrahedron, left out: 1"}));
+  EXPECT_EQ(readTetrahedra(write("a.vtu", vtu(parts)), {}).remarks,
+            (std::vector<std::string>{"cells that are no tetrahedra, left out: 1",
+                                      "points of no tetrahedron, left out: 1"}));
   parts.types = "5 5";
   parts.offsets = "3 6";
   EXPECT_EQ(complaint("a.vtu", vtu(parts)), ": has no tetrahedra (cells of other kinds: 2)");
@@ -114,7 +119,8 @@ TEST_F(VtkTetrahedra, refusesNumbersThatAreNone) {
 }
 
 TEST_F(VtkTetrahedra, refusesEntitiesForeignAndCutFiles) {
-  EXPECT_NE(complaint("a.vtu", vtu({}, "<!DOCTYPE a [<!ENTITY b \"c\">]>")).find("DOCTYPE"), std::string::npos);
+  EXPECT_NE(complaint("a.vtu", vtu({}, "<!DOCTYPE a [<!ENTITY b \"c\">]>")).find("DOCTYPE"),
+            std::string::npos);
   EXPECT_NE(complaint("a.vtu", "hello"), "");
   EXPECT_NE(complaint("a.vtu", ""), "");
   for (const auto& [name, whole] : {std::pair{"a.vtu", vtu()}, std::pair{"a.vtk", legacy()}}) {

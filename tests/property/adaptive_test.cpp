@@ -1,4 +1,5 @@
-// Adaptive streams (§4.3, §5.1, §5.2): coarse simplices where they keep the bound, conforming at any prefix.
+// Adaptive streams (§4.3, §5.1, §5.2): coarse simplices where they keep the bound, conforming at
+// any prefix.
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -11,7 +12,9 @@ constexpr double kRadius = 30;
 /// Large enough for coarse simplices to pay.
 SampledField ball() {
   return sampled("ball", {80, 72, 84}, [](double x, double y, double z) {
-    return kRadius - std::sqrt((x - kCentre[0]) * (x - kCentre[0]) + (y - kCentre[1]) * (y - kCentre[1]) + (z - kCentre[2]) * (z - kCentre[2]));
+    return kRadius -
+           std::sqrt((x - kCentre[0]) * (x - kCentre[0]) + (y - kCentre[1]) * (y - kCentre[1]) +
+                     (z - kCentre[2]) * (z - kCentre[2]));
   });
 }
 
@@ -53,12 +56,14 @@ TEST(Adaptive, eachPrefixIsClosed) {
   for (const Polygonizer polygonizer : kPolygonizers) {
     const Bytes bytes = encoded(field, adaptive(0.4, polygonizer));
     ASSERT_TRUE(infoOf(bytes).adaptive);
-    for (std::size_t length = 0; length <= bytes.size(); length += length + 41 < bytes.size() ? 41 : 1) {
+    for (std::size_t length = 0; length <= bytes.size();
+         length += length + 41 < bytes.size() ? 41 : 1) {
       SCOPED_TRACE("the first " + std::to_string(length));
       const Decoder decoder = decoderOf(std::span(bytes).first(length));
       ASSERT_EQ(decoder.error(), length < bytes.size() ? Error::Truncated : Error::None);
       Mesh mesh;
-      ASSERT_EQ(decoder.mesh({polygonizer, Frame::Grid, true}, mesh), decoder.ready() ? Error::None : Error::Truncated);
+      ASSERT_EQ(decoder.mesh({polygonizer, Frame::Grid, true}, mesh),
+                decoder.ready() ? Error::None : Error::Truncated);
       expectSound(mesh);
       expectClosed(mesh, field.size);
     }

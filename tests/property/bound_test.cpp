@@ -1,12 +1,13 @@
-// The bound: every vertex of the decoded surface lies within maxError of the source's, and the reverse.
+// The bound: every vertex of the decoded surface lies within maxError of the source's, and the
+// reverse.
 #include "round_trip.h"
 #include "surface_checks.h"
 
 namespace isostar {
 namespace {
 
-/// Surfaces of the same signs have the same triangles over vertices of the same numbers: if all pairs are within the
-/// bound, so are the surfaces, in both directions.
+/// Surfaces of the same signs have the same triangles over vertices of the same numbers: if all
+/// pairs are within the bound, so are the surfaces, in both directions.
 void expectBound(const SampledField& field, double maxError, Polygonizer polygonizer) {
   SCOPED_TRACE(described(field) + ", " + named(polygonizer) + ", " + std::to_string(maxError));
   EncodeOptions options;
@@ -15,7 +16,7 @@ void expectBound(const SampledField& field, double maxError, Polygonizer polygon
   const MeshOptions grid{polygonizer, Frame::Grid, true};
   const Mesh source = sourceMesh(field, grid), mesh = decoded(encoded(field, options), grid);
   expectSound(mesh);
-  ASSERT_EQ(mesh.triangles, source.triangles);
+  ASSERT_EQ(mesh.indices, source.indices);
   ASSERT_EQ(mesh.positions.size(), source.positions.size());
   // Streams count what an edge allows in 1/65536.
   EXPECT_LE(furthest(mesh, source, field.placement), maxError + 2e-5);
@@ -25,7 +26,8 @@ TEST(Bound, isKeptByEachField) {
   for (const Size& size : {Size{2, 2, 2}, Size{5, 7, 3}, Size{17, 16, 33}}) {
     for (const auto& field : fieldsOf(size)) {
       for (double maxError : {0.3, 0.05, 0.01}) {
-        for (const Polygonizer polygonizer : kPolygonizers) expectBound(field, maxError, polygonizer);
+        for (const Polygonizer polygonizer : kPolygonizers)
+          expectBound(field, maxError, polygonizer);
       }
     }
   }
@@ -55,8 +57,8 @@ TEST(Bound, holdsWhereValuesSpanManyScales) {
 }
 
 TEST(Bound, holdsBesideASpike) {
-  // Scalars near the isovalue next to very large ones: what moves a crossing to first order says little of how far it
-  // may move.
+  // Scalars near the isovalue next to very large ones: what moves a crossing to first order says
+  // little of how far it may move.
   for (const float spike : {300.0F, 65535.0F, 5e7F}) {
     for (const float shoulder : {1.0F, 20.0F, 16834.0F}) {
       SampledField field{"spike", {2, 7, 8}, std::vector<float>(2 * 7 * 8)};
@@ -64,7 +66,8 @@ TEST(Bound, holdsBesideASpike) {
       field.samples[2] = shoulder;
       for (float& s : field.samples) s -= 0.5F;
       for (double maxError : {0.365, 0.05}) {
-        for (const Polygonizer polygonizer : kPolygonizers) expectBound(field, maxError, polygonizer);
+        for (const Polygonizer polygonizer : kPolygonizers)
+          expectBound(field, maxError, polygonizer);
       }
     }
   }

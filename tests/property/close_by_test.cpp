@@ -19,23 +19,28 @@ EncodeOptions near(double isovalue, std::vector<double> others) {
   return options;
 }
 
-/// In the fields' own scale: closer than they are apart, further, on both sides, on samples, beyond all samples.
+/// In the fields' own scale: closer than they are apart, further, on both sides, on samples, beyond
+/// all samples.
 std::vector<EncodeOptions> selections(const SampledField& field) {
   const bool whole = field.name == "whole numbers";
   const double unit = whole ? 100 : 1;
-  return {near(0, {0.02 * unit}), near(0.1 * unit, {-0.05 * unit, 0.3 * unit, 0.2 * unit}), near(0, {1e-9, -1e-9, 2e-9}),
-          near(0.5 * unit, {0, unit}), near(100 * unit, {0, 200 * unit, -1e30})};
+  return {near(0, {0.02 * unit}), near(0.1 * unit, {-0.05 * unit, 0.3 * unit, 0.2 * unit}),
+          near(0, {1e-9, -1e-9, 2e-9}), near(0.5 * unit, {0, unit}),
+          near(100 * unit, {0, 200 * unit, -1e30})};
 }
 
-/// Within `bound` grid steps of the source's own surface, vertex by vertex; beside it what single precision leaves open.
-void expectSourcesSurface(const Decoder& decoder, const SampledField& field, double isovalue, Polygonizer polygonizer, double bound) {
+/// Within `bound` grid steps of the source's own surface, vertex by vertex; beside it what single
+/// precision leaves open.
+void expectSourcesSurface(const Decoder& decoder, const SampledField& field, double isovalue,
+                          Polygonizer polygonizer, double bound) {
   SCOPED_TRACE("isovalue " + std::to_string(isovalue));
   const Mesh mesh = meshOf(decoder, at(isovalue, polygonizer));
   const Mesh source = sourceMesh(field, {polygonizer, Frame::Grid, true}, isovalue);
   expectSound(mesh);
-  ASSERT_EQ(mesh.triangles, source.triangles);
+  ASSERT_EQ(mesh.indices, source.indices);
   ASSERT_EQ(mesh.positions.size(), source.positions.size());
-  EXPECT_LE(furthest(mesh, source, field.placement), bound + 2e-5 + 2e-6 * std::max({field.size[0], field.size[1], field.size[2]}));
+  EXPECT_LE(furthest(mesh, source, field.placement),
+            bound + 2e-5 + 2e-6 * std::max({field.size[0], field.size[1], field.size[2]}));
 }
 
 void expectAllSurfaces(const SampledField& field, EncodeOptions options) {
@@ -48,13 +53,15 @@ void expectAllSurfaces(const SampledField& field, EncodeOptions options) {
       ASSERT_TRUE(decoder.isFinal());
       ASSERT_EQ(decoder.info().isovalues.size(), options.furtherIsovalues.size() + 1);
       for (const double isovalue : decoder.info().isovalues)
-        expectSourcesSurface(decoder, field, isovalue, polygonizer, lossless ? 0 : options.maxError);
+        expectSourcesSurface(decoder, field, isovalue, polygonizer,
+                             lossless ? 0 : options.maxError);
     }
   }
 }
 
 TEST(FurtherIsovalues, eachIsovalueHasItsOwnSurface) {
-  for (const Size& size : {Size{2, 2, 2}, Size{5, 7, 3}, Size{9, 9, 9}, Size{17, 16, 33}, Size{2, 40, 2}}) {
+  for (const Size& size :
+       {Size{2, 2, 2}, Size{5, 7, 3}, Size{9, 9, 9}, Size{17, 16, 33}, Size{2, 40, 2}}) {
     for (const auto& field : fieldsOf(size)) {
       for (const auto& options : selections(field)) expectAllSurfaces(field, options);
     }
@@ -62,7 +69,9 @@ TEST(FurtherIsovalues, eachIsovalueHasItsOwnSurface) {
 }
 
 TEST(FurtherIsovalues, bytesAsFractionsOfTheWhole) {
-  auto field = sampled("bytes", {17, 12, 20}, [](double x, double y, double z) { return std::round(127 + 60 * gyroid(9)(x, y, z)) / 255; });
+  auto field = sampled("bytes", {17, 12, 20}, [](double x, double y, double z) {
+    return std::round(127 + 60 * gyroid(9)(x, y, z)) / 255;
+  });
   expectAllSurfaces(field, near(0.5, {0.2, 52.0 / 255, 0.51, 0.6}));
 }
 
@@ -78,15 +87,20 @@ TEST(FurtherIsovalues, componentsThatFirstAppear) {
 }
 
 TEST(FurtherIsovalues, theFirstSurfaceCostsAsMuchAsAlone) {
-  for (const auto& field : {sampled("whole", {33, 30, 31}, [](double x, double y, double z) { return std::round(100 * gyroid(13)(x, y, z)); })}) {
+  for (const auto& field : {sampled("whole", {33, 30, 31}, [](double x, double y, double z) {
+         return std::round(100 * gyroid(13)(x, y, z));
+       })}) {
     const Bytes alone = encoded(field, near(10.5, {})), both = encoded(field, near(10.5, {12.5}));
     StreamInfo one, two;
     ASSERT_EQ(inspect(alone, one), Error::None);
     ASSERT_EQ(inspect(both, two), Error::None);
     ASSERT_GT(two.layers.size(), one.layers.size());
-    for (std::size_t i = 0; i < two.layers.size(); ++i) EXPECT_EQ(two.layers[i].isovalue, i < one.layers.size() ? 0 : 1);
+    for (std::size_t i = 0; i < two.layers.size(); ++i)
+      EXPECT_EQ(two.layers[i].isovalue, i < one.layers.size() ? 0 : 1);
     // But for the last layers, where a stream of one isovalue may tell what is nearly true.
-    const auto nearly = [](uint64_t bytes, uint64_t others) { return bytes < others * 102 / 100 && others < bytes * 102 / 100; };
+    const auto nearly = [](uint64_t bytes, uint64_t others) {
+      return bytes < others * 102 / 100 && others < bytes * 102 / 100;
+    };
     EXPECT_TRUE(nearly(two.layers[one.layers.size() - 1].offset, alone.size()));
     // A further one takes far less: two quanta away of a hundred a step.
     EXPECT_LT(both.size() - alone.size(), alone.size() / 4);
@@ -95,15 +109,18 @@ TEST(FurtherIsovalues, theFirstSurfaceCostsAsMuchAsAlone) {
 
 /// Where no stream aims: without loss, and within loose bounds.
 TEST(FurtherIsovalues, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
-  const auto field = sampled("whole", {33, 30, 31}, [](double x, double y, double z) { return std::round(100 * gyroid(13)(x, y, z)); });
+  const auto field = sampled("whole", {33, 30, 31}, [](double x, double y, double z) {
+    return std::round(100 * gyroid(13)(x, y, z));
+  });
   for (const bool lossless : {false, true}) {
     EncodeOptions single = near(10.5, {}), several = near(10.5, {12.5});
     single.lossless = several.lossless = lossless;
     single.maxError = several.maxError = 0.2;
     const Bytes alone = encoded(field, single), both = encoded(field, several);
     ASSERT_GT(both.size(), alone.size());
-    EXPECT_TRUE(std::equal(alone.begin() + static_cast<std::ptrdiff_t>(infoOf(alone).layers[0].offset), alone.end(),
-                           both.begin() + static_cast<std::ptrdiff_t>(infoOf(both).layers[0].offset)));
+    EXPECT_TRUE(std::equal(
+        alone.begin() + static_cast<std::ptrdiff_t>(infoOf(alone).layers[0].offset), alone.end(),
+        both.begin() + static_cast<std::ptrdiff_t>(infoOf(both).layers[0].offset)));
   }
 }
 
@@ -150,20 +167,25 @@ TEST(FurtherIsovalues, inBetweenMovesFromOneToTheOther) {
 }
 
 TEST(FurtherIsovalues, whereAllIsKnownInBetweenIsExact) {
-  const auto field = sampled("whole", {20, 20, 20}, [](double x, double y, double z) { return std::round(200 * gyroid(13)(x, y, z)); });
+  const auto field = sampled("whole", {20, 20, 20}, [](double x, double y, double z) {
+    return std::round(200 * gyroid(13)(x, y, z));
+  });
   EncodeOptions options = near(0.5, {4.5});
   options.lossless = true;
   const Decoder decoder = decoderOf(encoded(field, options));
-  for (const double isovalue : {1.0, 1.5, 2.75, 4.25}) expectSourcesSurface(decoder, field, isovalue, Polygonizer::Cubes, 0);
+  for (const double isovalue : {1.0, 1.5, 2.75, 4.25})
+    expectSourcesSurface(decoder, field, isovalue, Polygonizer::Cubes, 0);
 }
 
 TEST(FurtherIsovalues, whatIsNotInTheStreamIsABadArgument) {
   const auto field = sampled("sphere", {9, 9, 9}, sphere({9, 9, 9}));
   const Decoder decoder = decoderOf(encoded(field, near(0, {0.5, -0.25})));
   Mesh mesh;
-  for (const double isovalue : {-0.3, 0.6, double(NAN), double(INFINITY)}) EXPECT_EQ(decoder.mesh(at(isovalue), mesh), Error::BadArgument) << isovalue;
+  for (const double isovalue : {-0.3, 0.6, double(NAN), double(INFINITY)})
+    EXPECT_EQ(decoder.mesh(at(isovalue), mesh), Error::BadArgument) << isovalue;
   Bytes bytes;
-  for (const auto& others : std::vector<std::vector<double>>{{0}, {1, 1}, {NAN}, {INFINITY}, std::vector<double>(16, 1)})
+  for (const auto& others :
+       std::vector<std::vector<double>>{{0}, {1, 1}, {NAN}, {INFINITY}, std::vector<double>(16, 1)})
     EXPECT_EQ(encode(field.volume(), near(0, others), bytes), Error::BadArgument);
   EXPECT_TRUE(bytes.empty());
 }
@@ -182,7 +204,8 @@ TEST(FurtherIsovalues, imagesHaveTheirsToo) {
         ASSERT_EQ(polygonize(image.image(), isovalue, at(isovalue), source), Error::None);
         const Contours found = contoursOf(decoder, at(isovalue));
         ASSERT_EQ(found.starts, source.starts);
-        for (std::size_t i = 0; i < found.points.size(); ++i) ASSERT_NEAR(found.points[i], source.points[i], 1e-4);
+        for (std::size_t i = 0; i < found.points.size(); ++i)
+          ASSERT_NEAR(found.points[i], source.points[i], 1e-4);
       }
     }
   }

@@ -10,8 +10,8 @@ namespace {
 
 template <class Dimension>
 class DecompositionTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(DecompositionTest, Dimensions);
 
 /// A criterion without reason: dice that always fall alike for a simplex.
@@ -30,7 +30,8 @@ struct Whim {
 
 template <int D, class Keeps>
 void expectKept(const Rbmt<D>& mesh, const Keeps& keeps) {
-  for (const auto& leaf : leavesOf(mesh)) EXPECT_TRUE(leaf.depth == mesh.hierarchy().maxDepth() || keeps(leaf));
+  for (const auto& leaf : leavesOf(mesh))
+    EXPECT_TRUE(leaf.depth == mesh.hierarchy().maxDepth() || keeps(leaf));
 }
 
 TYPED_TEST(DecompositionTest, refinedMeshesMeetAnyCriterion) {
@@ -104,14 +105,16 @@ TYPED_TEST(DecompositionTest, theDistanceBoundHoldsAndSaves) {
   const auto tube = tubeOf(mesh, ball.signs);
   for (const auto& leaf : tube) EXPECT_EQ(leaf.depth, hierarchy.maxDepth());
   const double bound = 0.2;
-  const DistanceBound<D, SampledShape<D>, SampledShape<D>> keeps(hierarchy, ball.signs, ball, ball, bound);
+  const DistanceBound<D, SampledShape<D>, SampledShape<D>> keeps(hierarchy, ball.signs, ball, ball,
+                                                                 bound);
   coarsen(mesh, allKept(hierarchy, keeps));
   expectKept(mesh, keeps);
   expectConformingAndRegular(mesh);
   const auto coarse = tubeOf(mesh, ball.signs);
   EXPECT_LT(coarse.size() * 2, tube.size());
   for (const auto& leaf : coarse) {
-    for (const auto& p : crossingsOf(hierarchy, leaf, ball)) EXPECT_LT(std::abs(ball.at(p)), 1.5 * bound);
+    for (const auto& p : crossingsOf(hierarchy, leaf, ball))
+      EXPECT_LT(std::abs(ball.at(p)), 1.5 * bound);
   }
 }
 
@@ -119,20 +122,23 @@ TYPED_TEST(DecompositionTest, aPlaneNeedsNoVertices) {
   constexpr int D = TypeParam::value;
   const auto plane = sampledPlane<D>(D == 4 ? 7 : 13);
   const Hierarchy<D> hierarchy(plane.box, D == 4 ? 2 : 3);
-  const DistanceBound<D, SampledShape<D>, SampledShape<D>> keeps(hierarchy, plane.signs, plane, plane, 1e-4);
+  const DistanceBound<D, SampledShape<D>, SampledShape<D>> keeps(hierarchy, plane.signs, plane,
+                                                                 plane, 1e-4);
   auto mesh = Rbmt<D>::full(hierarchy);
   coarsen(mesh, allKept(hierarchy, keeps));
   EXPECT_TRUE(verticesOf(mesh).empty()) << "a plane is exact on any mesh";
 }
 
-/// Samples on the wrong side of a coarse leaf's linear function are farther than the bound says: it must be refused.
+/// Samples on the wrong side of a coarse leaf's linear function are farther than the bound says: it
+/// must be refused.
 TEST(Decomposition, theDistanceBoundSeesWhatVerticesMiss) {
   auto speck = sampledPlane<2>(16);
   for (auto& value : speck.values) value = -1;
   speck.values[speck.index({5, 11})] = 1;
   speck.updateSigns();
   const Hierarchy<2> hierarchy(speck.box, 4);
-  const DistanceBound<2, SampledShape<2>, SampledShape<2>> keeps(hierarchy, speck.signs, speck, speck, 0.25);
+  const DistanceBound<2, SampledShape<2>, SampledShape<2>> keeps(hierarchy, speck.signs, speck,
+                                                                 speck, 0.25);
   auto mesh = Rbmt<2>::full(hierarchy);
   coarsen(mesh, allKept(hierarchy, keeps));
   EXPECT_TRUE(mesh.contains({5, 11}));
@@ -156,7 +162,8 @@ TYPED_TEST(DecompositionTest, normalsRefineWhereTheSurfaceBends) {
   }
   const auto plane = sampledPlane<D>(D == 4 ? 8 : 16);
   Rbmt<D> mesh(Hierarchy<D>(plane.box, D == 4 ? 2 : 3));
-  refine(mesh, NormalBound<D, SampledShape<D>, SampledShape<D>>(mesh.hierarchy(), plane.signs, plane, plane, 1e-3));
+  refine(mesh, NormalBound<D, SampledShape<D>, SampledShape<D>>(mesh.hierarchy(), plane.signs,
+                                                                plane, plane, 1e-3));
   EXPECT_TRUE(verticesOf(mesh).empty());
 }
 

@@ -1,4 +1,5 @@
-// Shapes that a careless weld tears, joins, fills or loses: samples are few where the shapes are thin.
+// Shapes that a careless weld tears, joins, fills or loses: samples are few where the shapes are
+// thin.
 #pragma once
 
 #include "sampled_shapes.h"
@@ -9,14 +10,15 @@ inline SampledShape<3> fromDistance(int32_t last, std::function<double(const Vec
   return SampledShape<3>(cube<3>(last), std::move(inside));
 }
 inline double distance(const Vector<3>& p, const Vector<3>& q) {
-  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
+  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+                   (p[2] - q[2]) * (p[2] - q[2]));
 }
 inline SampledShape<3> knot() {
   std::vector<Vector<3>> curve;
   for (int i = 0; i < 300; ++i) {
     const double t = i * std::acos(-1.0) / 150;
-    curve.push_back({16 + 4.6 * (std::sin(t) + 2 * std::sin(2 * t)), 16 + 4.6 * (std::cos(t) - 2 * std::cos(2 * t)),
-                     16 - 7 * std::sin(3 * t)});
+    curve.push_back({16 + 4.6 * (std::sin(t) + 2 * std::sin(2 * t)),
+                     16 + 4.6 * (std::cos(t) - 2 * std::cos(2 * t)), 16 - 7 * std::sin(3 * t)});
   }
   return fromDistance(32, [curve](const Vector<3>& p) {
     double nearest = 100;

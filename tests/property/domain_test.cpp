@@ -8,14 +8,16 @@ namespace isostar {
 namespace {
 
 constexpr Size kSize{34, 30, 37};
-constexpr Point kSlanted{0.6, 0.48, 0.64};  // a unit vector that is no multiple of any of the grid's directions
+constexpr Point kSlanted{
+    0.6, 0.48, 0.64};  // a unit vector that is no multiple of any of the grid's directions
 
 Field slanted(double limit) {
   return halfSpace(kSlanted, limit);
 }
 /// The slanted plane through the middle of the ball is about at this limit.
 double throughTheMiddle() {
-  return 0.5 * ((kSize[0] - 1) * kSlanted[0] + (kSize[1] - 1) * kSlanted[1] + (kSize[2] - 1) * kSlanted[2]);
+  return 0.5 * ((kSize[0] - 1) * kSlanted[0] + (kSize[1] - 1) * kSlanted[1] +
+                (kSize[2] - 1) * kSlanted[2]);
 }
 Field twoPieces() {
   const Field plane = slanted(throughTheMiddle());
@@ -31,8 +33,8 @@ double at(const Field& domain, const Point& p) {
   return domain(p[0], p[1], p[2]);
 }
 
-/// All of `mesh` lies within the domain, it ends only at the domain's boundary or at the box, and no vertex of the surface
-/// without a domain that lies deeper inside than the bound is missing.
+/// All of `mesh` lies within the domain, it ends only at the domain's boundary or at the box, and
+/// no vertex of the surface without a domain that lies deeper inside than the bound is missing.
 void expectToEndWith(const Field& domain, const Mesh& mesh, const Mesh& whole, double bound) {
   expectSound(mesh);
   expectClosed(mesh, kSize, [&](const Point& p) { return std::abs(at(domain, p)) <= bound; });
@@ -63,7 +65,8 @@ TEST(Domain, aSlantedPlaneCutsABallWithinTheBound) {
         const Decoder decoder = decoderOf(encoded(field, options));
         ASSERT_EQ(decoder.error(), Error::None);
         EXPECT_TRUE(decoder.info().trimmed);
-        expectToEndWith(domain, gridMesh(decoder, polygonizer), gridMesh(decoderOf(encoded(whole, options)), polygonizer), bound);
+        expectToEndWith(domain, gridMesh(decoder, polygonizer),
+                        gridMesh(decoderOf(encoded(whole, options)), polygonizer), bound);
       }
     }
   }
@@ -76,14 +79,16 @@ TEST(Domain, eachPieceOfItHasItsPieceOfTheSurface) {
   const Shape caps = shapeOf(decoded(encoded(ball(twoPieces()))));
   EXPECT_EQ(caps.components, 2);
   EXPECT_EQ(caps.euler, 2) << "two discs";
-  const Shape ring = shapeOf(decoded(encoded(ball([](double x, double y, double z) { return 3 - std::abs(slanted(throughTheMiddle())(x, y, z)); }))));
+  const Shape ring = shapeOf(decoded(encoded(ball([](double x, double y, double z) {
+    return 3 - std::abs(slanted(throughTheMiddle())(x, y, z));
+  }))));
   EXPECT_EQ(ring.components, 1);
   EXPECT_EQ(ring.euler, 0) << "a ring";
 }
 
 TEST(Domain, aSurfaceOutsideIsNotShownAndOneInsideIsWhole) {
   const Mesh nothing = decoded(encoded(ball(slanted(900))));
-  EXPECT_TRUE(nothing.positions.empty() && nothing.normals.empty() && nothing.triangles.empty());
+  EXPECT_TRUE(nothing.positions.empty() && nothing.normals.empty() && nothing.indices.empty());
   const SampledField field = ball(slanted(-900));
   SampledField plain = field;
   plain.domain.clear();
@@ -101,20 +106,24 @@ TEST(Domain, everyPrefixIsClosedButForItsEnd) {
   uint64_t ends = 0;
   std::set<std::size_t> lengths{bytes.size()};
   for (std::size_t length = 0; length < bytes.size(); length += 17) lengths.insert(length);
-  for (const LayerInfo& layer : infoOf(bytes).layers) lengths.insert({layer.offset - 1, layer.offset, layer.offset + 1});
+  for (const LayerInfo& layer : infoOf(bytes).layers)
+    lengths.insert({layer.offset - 1, layer.offset, layer.offset + 1});
   lengths.erase(bytes.size() + 1);
   for (const std::size_t length : lengths) {
     SCOPED_TRACE("the first " + std::to_string(length));
     const Decoder decoder = decoderOf(std::span(bytes).first(length));
     ASSERT_EQ(decoder.error(), length < bytes.size() ? Error::Truncated : Error::None);
     if (!decoder.ready()) continue;
-    if (!decoder.info().layers.empty() && decoder.info().layers.back().kind == "domain") ends = decoder.bytes();
+    if (!decoder.info().layers.empty() && decoder.info().layers.back().kind == "domain")
+      ends = decoder.bytes();
     for (const Polygonizer polygonizer : kPolygonizers) {
       const Mesh mesh = gridMesh(decoder, polygonizer);
       expectSound(mesh);
-      // A stream for cubes does not tell the ends of diagonals; there the domain is continued, right to within a cell.
+      // A stream for cubes does not tell the ends of diagonals; there the domain is continued,
+      // right to within a cell.
       const double allowed = polygonizer == Polygonizer::Cubes ? bound : std::sqrt(3);
-      expectClosed(mesh, kSize, [&](const Point& p) { return ends != 0 && std::abs(at(domain, p)) <= allowed; });
+      expectClosed(mesh, kSize,
+                   [&](const Point& p) { return ends != 0 && std::abs(at(domain, p)) <= allowed; });
     }
   }
   EXPECT_GT(ends, 0u);
@@ -136,9 +145,10 @@ TEST(Domain, losslessIsWhatThePolygonizerMakesOfTheSource) {
         const MeshOptions how{polygonizer, Frame::Grid, true};
         const Mesh expected = sourceMesh(cut, how), mesh = decoded(encoded(cut, options), how);
         expectSound(mesh);
-        ASSERT_EQ(mesh.triangles, expected.triangles);
+        ASSERT_EQ(mesh.indices, expected.indices);
         ASSERT_EQ(mesh.positions.size(), expected.positions.size());
-        // Vertices differ by the rounding of single precision; where the domain is wild, it moves its ends by more.
+        // Vertices differ by the rounding of single precision; where the domain is wild, it moves
+        // its ends by more.
         EXPECT_LE(furthest(mesh, expected, cut.placement), 1e-3);
       }
     }
@@ -148,20 +158,24 @@ TEST(Domain, losslessIsWhatThePolygonizerMakesOfTheSource) {
 /// No edge has more than two triangles, and around each vertex they make one fan.
 TEST(Domain, aManifoldStaysOneWhateverTheDomain) {
   const Field rough = noise(9);
-  const SampledField field = within([=](double x, double y, double z) { return rough(x, y, z); }, sampled("gyroid", kSize, gyroid()));
+  const SampledField field = within([=](double x, double y, double z) { return rough(x, y, z); },
+                                    sampled("gyroid", kSize, gyroid()));
   for (const Polygonizer polygonizer : kPolygonizers) {
     const Mesh mesh = decoded(encoded(field), {polygonizer, Frame::Grid, true});
-    std::vector<std::map<uint32_t, uint32_t>> next(verticesOf(mesh));  // around a vertex, from neighbour to neighbour
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::vector<std::map<uint32_t, uint32_t>> next(
+        verticesOf(mesh));  // around a vertex, from neighbour to neighbour
+    for (std::size_t t = 0; t < mesh.indices.size(); ++t) {
       const std::size_t first = t / 3 * 3;
-      const uint32_t b = mesh.triangles[first + (t + 1) % 3], c = mesh.triangles[first + (t + 2) % 3];
-      ASSERT_TRUE(next[mesh.triangles[t]].emplace(b, c).second);
+      const uint32_t b = mesh.indices[first + (t + 1) % 3], c = mesh.indices[first + (t + 2) % 3];
+      ASSERT_TRUE(next[mesh.indices[t]].emplace(b, c).second);
     }
     for (const auto& fan : next) {
       ASSERT_FALSE(fan.empty()) << "each vertex has a triangle";
       auto start = fan.begin();
       for (auto at = fan.begin(); at != fan.end(); ++at) {
-        if (std::none_of(fan.begin(), fan.end(), [&](const auto& each) { return each.second == at->first; })) start = at;
+        if (std::none_of(fan.begin(), fan.end(),
+                         [&](const auto& each) { return each.second == at->first; }))
+          start = at;
       }
       std::size_t met = 0;
       for (auto at = start; at != fan.end() && met <= fan.size(); ++met) {
@@ -181,7 +195,9 @@ TEST(Domain, isToldInTheHeaderAndAsALayer) {
   StreamInfo info;
   ASSERT_EQ(inspect(encoded(field), info), Error::None);
   EXPECT_TRUE(info.trimmed);
-  EXPECT_EQ(std::count_if(info.layers.begin(), info.layers.end(), [](const LayerInfo& layer) { return layer.kind == "domain"; }), 1);
+  EXPECT_EQ(std::count_if(info.layers.begin(), info.layers.end(),
+                          [](const LayerInfo& layer) { return layer.kind == "domain"; }),
+            1);
   EncodeOptions adaptive;
   adaptive.adaptive = true;
   EXPECT_EQ(encoded(field, adaptive), encoded(field)) << "makes no difference";
@@ -215,7 +231,8 @@ TEST(Domain, badOnesAreRefused) {
 
 TEST(Domain, limitsHoldForWhatTrimmingMakes) {
   const Field rough = noise(9);
-  const Bytes bytes = encoded(ball([=](double x, double y, double z) { return rough(x, y, z) + 0.5; }));
+  const Bytes bytes =
+      encoded(ball([=](double x, double y, double z) { return rough(x, y, z) + 0.5; }));
   const uint64_t vertices = verticesOf(decoded(bytes)), whole = decoderOf(bytes).info().vertices;
   ASSERT_GT(vertices, whole) << "more are made than left out";
   Mesh mesh;

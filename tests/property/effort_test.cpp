@@ -16,13 +16,14 @@ TEST(Effort, keepsTheBound) {
   for (const auto& field : fieldsOf({17, 16, 33})) {
     for (const double maxError : {0.3, 0.05, 0.01, 1e-7}) {
       for (const Polygonizer polygonizer : kPolygonizers) {
-        SCOPED_TRACE(described(field) + ", " + named(polygonizer) + ", " + std::to_string(maxError));
+        SCOPED_TRACE(described(field) + ", " + named(polygonizer) + ", " +
+                     std::to_string(maxError));
         EncodeOptions options = withEffort(2, maxError);
         options.polygonizer = polygonizer;
         const MeshOptions grid{polygonizer, Frame::Grid, true};
         const Mesh source = sourceMesh(field, grid), mesh = decoded(encoded(field, options), grid);
         expectSound(mesh);
-        ASSERT_EQ(mesh.triangles, source.triangles);
+        ASSERT_EQ(mesh.indices, source.indices);
         EXPECT_LE(furthest(mesh, source, field.placement), maxError + 2e-5);
       }
     }
@@ -35,7 +36,7 @@ TEST(Effort, isLosslessWhereThatIsAsked) {
     options.lossless = true;
     const Mesh source = sourceMesh(field), mesh = decoded(encoded(field, options));
     EXPECT_EQ(mesh.positions, source.positions) << described(field);
-    EXPECT_EQ(mesh.triangles, source.triangles) << described(field);
+    EXPECT_EQ(mesh.indices, source.indices) << described(field);
   }
 }
 
@@ -48,7 +49,8 @@ TEST(Effort, goesWithAllOtherOptions) {
   for (const EncodeOptions& options : {adaptive, topology, near}) {
     const Bytes bytes = encoded(field, options);
     EXPECT_EQ(infoOf(bytes).effort, 2);
-    for (std::size_t length = bytes.size() / 3; length <= bytes.size(); length += 97) expectSound(meshOf(decoderOf(std::span(bytes).first(length))));
+    for (std::size_t length = bytes.size() / 3; length <= bytes.size(); length += 97)
+      expectSound(meshOf(decoderOf(std::span(bytes).first(length))));
     expectSound(decoded(bytes));
   }
 }
@@ -64,9 +66,11 @@ TEST(Effort, makesSmoothSurfacesSmaller) {
 TEST(Effort, codesImagesAndSequences) {
   const SampledField field = sampled("frames", {12, 10, 44}, gyroid(9));
   Bytes image, sequence;
-  ASSERT_EQ(encode(Image{std::span(field.samples).first(120), {12, 10}, {}}, withEffort(2), image), Error::None);
+  ASSERT_EQ(encode(Image{std::span(field.samples).first(120), {12, 10}, {}}, withEffort(2), image),
+            Error::None);
   EXPECT_TRUE(decoderOf(image).isFinal());
-  ASSERT_EQ(encode(Sequence{field.samples, {12, 10, 11}, 4, {}}, withEffort(2), sequence), Error::None);
+  ASSERT_EQ(encode(Sequence{field.samples, {12, 10, 11}, 4, {}}, withEffort(2), sequence),
+            Error::None);
   EXPECT_TRUE(decoderOf(sequence).isFinal());
 }
 

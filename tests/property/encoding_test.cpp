@@ -7,7 +7,8 @@
 namespace isostar {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
+                kInfinity = std::numeric_limits<float>::infinity();
 
 SampledField small() {
   return sampled("gyroid", {6, 5, 4}, gyroid());
@@ -26,9 +27,10 @@ void expectNotPolygonized(const SampledField& field, double isovalue = 0) {
 }
 
 TEST(Encoding, refusesSizesThatAreNone) {
-  for (const Size& size : {Size{0, 5, 4}, Size{6, -5, 4}, Size{-6, -5, 4}, Size{6, 5, 5}, Size{6, 5, 3},
-                           Size{INT32_MAX, INT32_MAX, INT32_MAX}, Size{INT32_MIN, 5, 4},
-                           Size{1 << 16, 1 << 16, 1 << 16}, Size{1 << 30, 1, 1}}) {
+  for (const Size& size :
+       {Size{0, 5, 4}, Size{6, -5, 4}, Size{-6, -5, 4}, Size{6, 5, 5}, Size{6, 5, 3},
+        Size{INT32_MAX, INT32_MAX, INT32_MAX}, Size{INT32_MIN, 5, 4},
+        Size{1 << 16, 1 << 16, 1 << 16}, Size{1 << 30, 1, 1}}) {
     SCOPED_TRACE(testing::PrintToString(size));
     SampledField field = small();
     field.size = size;
@@ -102,7 +104,8 @@ TEST(Encoding, appends) {
 }
 
 TEST(Encoding, twiceGivesTheSameBytes) {
-  for (const auto& field : fieldsOf({20, 13, 17})) EXPECT_EQ(encoded(field), encoded(field)) << field.name;
+  for (const auto& field : fieldsOf({20, 13, 17}))
+    EXPECT_EQ(encoded(field), encoded(field)) << field.name;
 }
 
 TEST(Encoding, progressRisesToOne) {
@@ -119,7 +122,8 @@ TEST(Encoding, progressRisesToOne) {
 TEST(Encoding, anEmptySurfaceIsAStream) {
   for (const Size& size : {Size{1, 1, 1}, Size{2, 2, 2}, Size{33, 40, 17}}) {
     for (double value : {-1.0, 0.0, 1.0}) {
-      const Bytes bytes = encoded(sampled("constant", size, [=](double, double, double) { return value; }));
+      const Bytes bytes =
+          encoded(sampled("constant", size, [=](double, double, double) { return value; }));
       EXPECT_LT(bytes.size(), 200u);
       const Decoder decoder = decoderOf(bytes);
       EXPECT_TRUE(decoder.isFinal());
@@ -158,7 +162,9 @@ TEST(Encoding, takesAnyFunctionOfAPointInTheWorld) {
   placement.spacing = {0.5, 0.25, 1};
   placement.direction = {0, 1, 0, -1, 0, 0, 0, 0, 1};
   const std::array<int32_t, 3> size{20, 40, 12};
-  const auto samples = sampled([](double x, double y, double z) { return 3 - std::hypot(x - 4, y + 3, z - 10); }, size, placement);
+  const auto samples =
+      sampled([](double x, double y, double z) { return 3 - std::hypot(x - 4, y + 3, z - 10); },
+              size, placement);
   Bytes bytes;
   ASSERT_EQ(encode(Volume{samples, size, placement}, {}, bytes), Error::None);
   const Mesh mesh = decoded(bytes);

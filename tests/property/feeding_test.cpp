@@ -20,7 +20,7 @@ std::vector<Shown> shownInPieces(const Bytes& bytes, std::size_t length) {
     decoder.accept(std::span(bytes).subspan(at, std::min(length, bytes.size() - at)));
     while (decoder.advance()) {
       Mesh mesh = meshOf(decoder, {Polygonizer::Tetrahedra, Frame::World, false});
-      all.push_back({decoder.bytes(), std::move(mesh.positions), std::move(mesh.triangles)});
+      all.push_back({decoder.bytes(), std::move(mesh.positions), std::move(mesh.indices)});
     }
     EXPECT_EQ(decoder.error(), Error::None);
   }
@@ -180,7 +180,7 @@ TEST(Feeding, aMeshCanBeMadeTwice) {
   const Mesh first = mesh;
   ASSERT_EQ(decoder.mesh({}, mesh), Error::None);
   EXPECT_EQ(mesh.positions, first.positions);
-  EXPECT_EQ(mesh.triangles, first.triangles);
+  EXPECT_EQ(mesh.indices, first.indices);
 }
 
 }  // namespace

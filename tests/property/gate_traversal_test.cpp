@@ -10,8 +10,8 @@ namespace {
 
 template <class Dimension>
 class GateTraversalTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(GateTraversalTest, Dimensions);
 
 /// Leaves by their vertices: level and signs.
@@ -23,7 +23,8 @@ struct Leaves {
   void add(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& leaf, Positive positive) {
     std::vector<bool> signs;
     for (const auto& p : pointsOf(hierarchy, leaf)) signs.push_back(positive(p));
-    EXPECT_TRUE(all.insert({pointsOf(hierarchy, leaf), {leaf.depth, signs}}).second) << "told twice";
+    EXPECT_TRUE(all.insert({pointsOf(hierarchy, leaf), {leaf.depth, signs}}).second)
+        << "told twice";
   }
   friend bool operator==(const Leaves&, const Leaves&) = default;
 };
@@ -69,7 +70,8 @@ void expectRoundTrip(const Rbmt<D>& mesh, const Signs<D>& signs) {
     EXPECT_EQ(traversal.positive({}), signs.at({}));
   }
   expectConformingAndRegular(traversal.mesh());
-  for (const auto& leaf : leavesOf(traversal.mesh())) tube.all.erase(pointsOf(mesh.hierarchy(), leaf));
+  for (const auto& leaf : leavesOf(traversal.mesh()))
+    tube.all.erase(pointsOf(mesh.hierarchy(), leaf));
   EXPECT_TRUE(tube.all.empty()) << "all are leaves of the mesh decoded";
 }
 
@@ -93,7 +95,8 @@ TYPED_TEST(GateTraversalTest, anyMeshAndAnySignsComeBack) {
       Rbmt<D> mesh(hierarchy);
       typename Rbmt<D>::Vertices added;
       for (unsigned i = 0; i < 3 * seed * seed; ++i) mesh.split(anyVertex(hierarchy, dice), added);
-      for (unsigned positives : {0u, 1u, 8u, 15u, 16u}) expectRoundTrip(mesh, diceSigns<D>(box.last, positives, dice));
+      for (unsigned positives : {0u, 1u, 8u, 15u, 16u})
+        expectRoundTrip(mesh, diceSigns<D>(box.last, positives, dice));
     }
   }
 }

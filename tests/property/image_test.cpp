@@ -19,9 +19,13 @@ void forImages(Visit visit) {
   }
 }
 
-Point pointAt(const Contours& contours, std::size_t i) { return {contours.points[i * 2], contours.points[i * 2 + 1]}; }
+Point pointAt(const Contours& contours, std::size_t i) {
+  return {contours.points[i * 2], contours.points[i * 2 + 1]};
+}
 
-bool near(const Point& a, const Point& b) { return std::abs(a.first - b.first) + std::abs(a.second - b.second) < 2e-5; }
+bool near(const Point& a, const Point& b) {
+  return std::abs(a.first - b.first) + std::abs(a.second - b.second) < 2e-5;
+}
 
 void expectNear(const std::vector<float>& found, const std::vector<float>& expected, double bound) {
   ASSERT_EQ(found.size(), expected.size());
@@ -32,8 +36,10 @@ Segments segmentsOf(const Contours& contours) {
   Segments segments;
   for (std::size_t line = 0; line + 1 < contours.starts.size(); ++line) {
     const std::size_t first = contours.starts[line], end = contours.starts[line + 1];
-    for (std::size_t i = first; i + 1 < end; ++i) segments.emplace_back(pointAt(contours, i), pointAt(contours, i + 1));
-    if (line >= contours.open) segments.emplace_back(pointAt(contours, end - 1), pointAt(contours, first));
+    for (std::size_t i = first; i + 1 < end; ++i)
+      segments.emplace_back(pointAt(contours, i), pointAt(contours, i + 1));
+    if (line >= contours.open)
+      segments.emplace_back(pointAt(contours, end - 1), pointAt(contours, first));
   }
   return segments;
 }
@@ -46,12 +52,15 @@ Segments marchingSquares(const SampledImage& image) {
     for (int32_t x = 0; x + 1 < image.size[0]; ++x) {
       auto scalar = [&](std::size_t i) {
         const auto& c = ring[i % 4];
-        return double{image.samples[static_cast<std::size_t>((y + c[1]) * image.size[0] + x + c[0])]} - 0.5;
+        return double{
+                   image.samples[static_cast<std::size_t>((y + c[1]) * image.size[0] + x + c[0])]} -
+               0.5;
       };
       auto crossing = [&](std::size_t i) {
         const auto &a = ring[i % 4], &b = ring[(i + 1) % 4];
         const double t = scalar(i) / (scalar(i) - scalar(i + 1));
-        return Point(static_cast<float>(x + a[0] + t * (b[0] - a[0])), static_cast<float>(y + a[1] + t * (b[1] - a[1])));
+        return Point(static_cast<float>(x + a[0] + t * (b[0] - a[0])),
+                     static_cast<float>(y + a[1] + t * (b[1] - a[1])));
       };
       for (std::size_t i = 0; i < 4; ++i) {
         if (scalar(i) > 0 || scalar(i + 1) <= 0) continue;
@@ -76,7 +85,9 @@ void expectSound(const Contours& contours, const ImageSize& size) {
   EXPECT_LE(contours.open, contours.starts.size() - 1);
   for (std::size_t i = 0; i < contours.starts.back(); ++i) {
     const auto [x, y] = pointAt(contours, i);
-    EXPECT_TRUE(x >= 0 && x <= static_cast<float>(size[0] - 1) && y >= 0 && y <= static_cast<float>(size[1] - 1)) << x << ", " << y;
+    EXPECT_TRUE(x >= 0 && x <= static_cast<float>(size[0] - 1) && y >= 0 &&
+                y <= static_cast<float>(size[1] - 1))
+        << x << ", " << y;
   }
   for (std::size_t line = 0; line + 1 < contours.starts.size(); ++line) {
     EXPECT_GE(contours.starts[line + 1] - contours.starts[line], line < contours.open ? 2u : 3u);
@@ -93,7 +104,9 @@ TEST(ImageContours, ofTheSourceAreMarchingSquares) {
     const Segments expected = marchingSquares(image), found = segmentsOf(contours);
     ASSERT_EQ(found.size(), expected.size());
     for (const auto& segment : expected) {
-      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& s) { return near(s.first, segment.first) && near(s.second, segment.second); }));
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& s) {
+        return near(s.first, segment.first) && near(s.second, segment.second);
+      }));
     }
     EXPECT_EQ(contours.positiveCorner, image.positive(0, 0, 0.5));
   });
@@ -108,10 +121,12 @@ TEST(ImageContours, comeBackLossless) {
       const Decoder decoder = decoderOf(encoded(image, options));
       EXPECT_EQ(decoder.error(), Error::None);
       EXPECT_TRUE(decoder.isFinal());
-      const Contours found = contoursOf(decoder, {.polygonizer = polygonizer}), expected = sourceContours(image, {.polygonizer = polygonizer});
+      const Contours found = contoursOf(decoder, {.polygonizer = polygonizer}),
+                     expected = sourceContours(image, {.polygonizer = polygonizer});
       expectSound(found, image.size);
       EXPECT_EQ(found.starts, expected.starts);
-      expectNear(found.points, expected.points, image.name == "bytes" || image.name == "whole numbers" ? 1e-9 : 1e-5);
+      expectNear(found.points, expected.points,
+                 image.name == "bytes" || image.name == "whole numbers" ? 1e-9 : 1e-5);
       EXPECT_EQ(found.open, expected.open);
       EXPECT_EQ(found.positiveCorner, expected.positiveCorner);
     }
@@ -127,7 +142,8 @@ TEST(ImageContours, keepTheBound) {
         EncodeOptions options;
         options.maxError = bound;
         options.polygonizer = polygonizer;
-        const Contours found = contoursOf(decoderOf(encoded(image, options)), {.polygonizer = polygonizer});
+        const Contours found =
+            contoursOf(decoderOf(encoded(image, options)), {.polygonizer = polygonizer});
         const Contours expected = sourceContours(image, {.polygonizer = polygonizer});
         ASSERT_EQ(found.starts, expected.starts);
         for (std::size_t i = 0; i < found.starts.back(); ++i) {
@@ -148,7 +164,8 @@ TEST(ImageContours, eachPrefixIsAPicture) {
       uint64_t shown = 0;
       for (std::size_t length = 0; length <= bytes.size(); ++length) {
         const Decoder decoder = decoderOf(std::span(bytes).first(length));
-        EXPECT_EQ(decoder.error(), length < bytes.size() ? Error::Truncated : Error::None) << length;
+        EXPECT_EQ(decoder.error(), length < bytes.size() ? Error::Truncated : Error::None)
+            << length;
         EXPECT_GE(decoder.bytes(), shown);
         shown = decoder.bytes();
         for (const Polygonizer polygonizer : kPolygonizers) {
@@ -163,10 +180,12 @@ TEST(ImageContours, eachPrefixIsAPicture) {
 }
 
 TEST(ImageContours, haveLargerValuesOnTheirLeft) {
-  const SampledImage image = sampledImage("slope", {9, 9}, [](double x, double) { return x - 3.2; });
+  const SampledImage image =
+      sampledImage("slope", {9, 9}, [](double x, double) { return x - 3.2; });
   const Contours contours = sourceContours(image);
   ASSERT_EQ(contours.starts.size(), 2u);
-  EXPECT_GT(contours.points[1], contours.points.back()) << "downwards: larger values lie on the right of the image";
+  EXPECT_GT(contours.points[1], contours.points.back())
+      << "downwards: larger values lie on the right of the image";
 }
 
 TEST(ImageContours, ofBytesTakeFewerBytesThanOfAnyNumbers) {
@@ -177,7 +196,8 @@ TEST(ImageContours, ofBytesTakeFewerBytesThanOfAnyNumbers) {
 }
 
 TEST(ImageContours, allBytesAreWholeNumbers) {
-  const SampledImage image = sampledImage("ramp", {256, 2}, [](double x, double y) { return (y == 0 ? x : 255 - x) / 255; });
+  const SampledImage image = sampledImage(
+      "ramp", {256, 2}, [](double x, double y) { return (y == 0 ? x : 255 - x) / 255; });
   EncodeOptions options;
   options.lossless = true;
   EXPECT_LT(encoded(image, options).size(), 512 * 8 / 8) << "512 scalars of 8 bits";
@@ -197,7 +217,8 @@ TEST(ImageContours, areNoMesh) {
 TEST(ImageContours, ofSamplesThatMakeNoSenseAreRefused) {
   const std::vector<float> samples(12, 1);
   Bytes bytes;
-  for (const ImageSize& size : {ImageSize{0, 12}, ImageSize{-3, -4}, ImageSize{5, 3}, ImageSize{1 << 28, 1}})
+  for (const ImageSize& size :
+       {ImageSize{0, 12}, ImageSize{-3, -4}, ImageSize{5, 3}, ImageSize{1 << 28, 1}})
     EXPECT_EQ(encode(Image{samples, size}, {}, bytes), Error::BadArgument);
   EXPECT_EQ(encode(Image{samples, {4, 3}, {0, 0}, {0, 1}}, {}, bytes), Error::BadArgument);
   EXPECT_TRUE(bytes.empty());

@@ -50,12 +50,14 @@ TEST(Prefix, ofEachLengthOfSmallStreams) {
 
 TEST(Prefix, errorFallsLayerByLayer) {
   const Size size{40, 40, 40};
-  for (const auto& field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
-                            sampled("gyroid", size, gyroid(23))}) {
+  for (const auto& field :
+       {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
+        sampled("gyroid", size, gyroid(23))}) {
     const Decoder decoder = decoderOf(encoded(field));
     double before = 1e9;
     for (const LayerInfo& layer : decoder.info().layers) {
-      EXPECT_LE(layer.error, before * 1.01) << field.name << ", " << layer.kind << " " << layer.level;
+      EXPECT_LE(layer.error, before * 1.01)
+          << field.name << ", " << layer.kind << " " << layer.level;
       before = layer.error;
     }
     EXPECT_LT(before, 0.05) << field.name;
@@ -71,14 +73,16 @@ TEST(Prefix, errorFallsWithinAnOctave) {
   const auto errorAt = [&](std::size_t length) {
     const Decoder decoder = decoderOf(std::span(bytes).first(length));
     EXPECT_EQ(decoder.bytes(), length);
-    return distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 89 + 0.013);
+    return distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size,
+                            0.35 * 89 + 0.013);
   };
   for (std::size_t i = 1; i < layers.size(); ++i) {
     if (layers[i].kind != "refinement" || layers[i].bytes < 300) continue;
     SCOPED_TRACE("octave " + std::to_string(layers[i].level));
     double before = errorAt(layers[i - 1].offset);
     for (const std::size_t sixth : {4, 5, 6}) {
-      const double error = errorAt(layers[i].offset - layers[i].bytes + layers[i].bytes * sixth / 6);
+      const double error =
+          errorAt(layers[i].offset - layers[i].bytes + layers[i].bytes * sixth / 6);
       EXPECT_LT(error, before);
       before = error;
     }
@@ -91,8 +95,8 @@ TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
   Decoder decoder;
   decoder.accept(encoded(field));
   while (decoder.advance()) {
-    const double found =
-        distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 59 + 0.013);
+    const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}),
+                                          size, 0.35 * 59 + 0.013);
     EXPECT_GT(decoder.rmsError(), 0.7 * found - 0.003) << "level " << decoder.level();
     // Between the few vertices of the base the sphere is further away than they are.
     if (decoder.level() > 0) {
@@ -105,7 +109,8 @@ TEST(Prefix, whatIsMissingCounts) {
   // The second ball lies between the planes of all octaves of step 4 and more.
   const Size size{65, 33, 33};
   const auto field = sampled("two balls", size, [](double x, double y, double z) {
-    return std::max(7 - std::hypot(x - 16, y - 16, z - 16), 3.4 - std::hypot(x - 54, y - 14, z - 14));
+    return std::max(7 - std::hypot(x - 16, y - 16, z - 16),
+                    3.4 - std::hypot(x - 54, y - 14, z - 14));
   });
   const StreamInfo info = decoderOf(encoded(field)).info();
   for (const LayerInfo& layer : info.layers) {
@@ -124,8 +129,8 @@ TEST(Prefix, aTornLayerIsNoWorseThanNone) {
   for (std::size_t length = 100; length < bytes.size(); length += 7) {
     const Decoder decoder = decoderOf(std::span(bytes).first(length));
     if (decoder.level() < decoder.levels() - 1) continue;
-    const double found =
-        distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}), size, 0.35 * 29 + 0.013);
+    const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}),
+                                          size, 0.35 * 29 + 0.013);
     EXPECT_LE(found, decoder.rmsError() * 1.25 + 0.002) << length << " bytes";
   }
 }
@@ -133,10 +138,12 @@ TEST(Prefix, aTornLayerIsNoWorseThanNone) {
 TEST(Prefix, theOctaveBeforeTheFinestIsDisplaced) {
   // A plane that lies a step off where the signs of that octave put it.
   const Size size{49, 49, 49};
-  const Bytes bytes = encoded(sampled("plane", size, [](double x, double y, double z) { return z - 21.9 - 0.02 * x + 0.01 * y; }));
+  const Bytes bytes = encoded(sampled(
+      "plane", size, [](double x, double y, double z) { return z - 21.9 - 0.02 * x + 0.01 * y; }));
   const StreamInfo info = decoderOf(bytes).info();
   const auto off = [&](const LayerInfo& layer) {
-    const Mesh mesh = meshOf(decoderOf(std::span(bytes).first(layer.offset)), {Polygonizer::Cubes, Frame::Grid, false});
+    const Mesh mesh = meshOf(decoderOf(std::span(bytes).first(layer.offset)),
+                             {Polygonizer::Cubes, Frame::Grid, false});
     double sum = 0;
     for (uint32_t i = 0; i < verticesOf(mesh); ++i) {
       const Point p = pointAt(mesh.positions, i);
@@ -145,7 +152,9 @@ TEST(Prefix, theOctaveBeforeTheFinestIsDisplaced) {
     }
     return std::sqrt(sum / verticesOf(mesh));
   };
-  const auto displaced = std::find_if(info.layers.begin(), info.layers.end(), [](const LayerInfo& layer) { return layer.kind == "geometry"; });
+  const auto displaced =
+      std::find_if(info.layers.begin(), info.layers.end(),
+                   [](const LayerInfo& layer) { return layer.kind == "geometry"; });
   ASSERT_NE(displaced, info.layers.end());
   EXPECT_EQ(displaced->level, info.layers.back().level - 1);
   EXPECT_LT(off(*displaced), 0.6 * off(displaced[-1]));

@@ -1,18 +1,20 @@
-// `--preserve-topology` (§4.3): each surface along the stream has the components and handles of the finest one.
+// `--preserve-topology` (§4.3): each surface along the stream has the components and handles of the
+// finest one.
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <tuple>
 
 #include "delicate_shapes.h"
-#include "round_trip.h"
 #include "encoder/topology/sign_flips.h"
+#include "round_trip.h"
 #include "surface_checks.h"
 
 namespace isostar {
 namespace {
 
-/// A component's Euler characteristic and the edges with one triangle only, as whether there are any.
+/// A component's Euler characteristic and the edges with one triangle only, as whether there are
+/// any.
 using Piece = std::pair<int64_t, bool>;
 
 /// The pieces of a mesh, in order.
@@ -24,9 +26,9 @@ std::vector<Piece> piecesOf(const Mesh& mesh) {
     return v;
   };
   std::map<std::pair<uint32_t, uint32_t>, int> edges;
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const uint32_t a = mesh.triangles[t + i], b = mesh.triangles[t + (i + 1) % 3];
+      const uint32_t a = mesh.indices[t + i], b = mesh.indices[t + (i + 1) % 3];
       root[find(a)] = find(b);
       ++edges[std::minmax(a, b)];
     }
@@ -38,7 +40,7 @@ std::vector<Piece> piecesOf(const Mesh& mesh) {
     --euler;
     open = open || triangles == 1;
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) ++pieces[find(mesh.triangles[t])].first;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) ++pieces[find(mesh.indices[t])].first;
   std::vector<Piece> sorted;
   for (const auto& [vertex, piece] : pieces) sorted.push_back(piece);
   std::sort(sorted.begin(), sorted.end());
@@ -59,14 +61,17 @@ SampledField fieldOf(const char* name, const SampledShape<3>& shape) {
 }
 
 std::vector<SampledField> delicateFields() {
-  return {fieldOf("knot", knot()), fieldOf("nested", nested()), fieldOf("touching", touching()), fieldOf("leaky box", leakyBox())};
+  return {fieldOf("knot", knot()), fieldOf("nested", nested()), fieldOf("touching", touching()),
+          fieldOf("leaky box", leakyBox())};
 }
 
-/// Each layer's surface, by both polygonizers where the stream is of `tetrahedra`: those are safe by the mesh itself.
+/// Each layer's surface, by both polygonizers where the stream is of `tetrahedra`: those are safe
+/// by the mesh itself.
 void expectOneTopology(const SampledField& field, const EncodeOptions& options) {
   const Bytes bytes = encoded(field, options);
   const auto finest = piecesOf(decoded(bytes, {options.polygonizer, Frame::Grid, false}));
-  EXPECT_EQ(finest, piecesOf(sourceMesh(field, {options.polygonizer, Frame::Grid, false}))) << described(field);
+  EXPECT_EQ(finest, piecesOf(sourceMesh(field, {options.polygonizer, Frame::Grid, false})))
+      << described(field);
   for (const LayerInfo& layer : infoOf(bytes).layers) {
     SCOPED_TRACE(field.name + ", " + layer.kind + " " + std::to_string(layer.level));
     const Decoder decoder = decoderOf(std::span(bytes).first(layer.offset));
@@ -79,14 +84,16 @@ void expectOneTopology(const SampledField& field, const EncodeOptions& options) 
 
 TEST(PreservedTopology, holdsOnEachLayerOfDelicateShapes) {
   for (const auto& field : delicateFields()) {
-    for (const Polygonizer polygonizer : kPolygonizers) expectOneTopology(field, preserving(polygonizer));
+    for (const Polygonizer polygonizer : kPolygonizers)
+      expectOneTopology(field, preserving(polygonizer));
   }
 }
 
 TEST(PreservedTopology, holdsOnShapesThatTheBoxCuts) {
   for (const Size& size : {Size{17, 17, 17}, Size{20, 14, 31}, Size{9, 26, 18}}) {
     for (const auto& field : fieldsOf(size)) {
-      for (const Polygonizer polygonizer : kPolygonizers) expectOneTopology(field, preserving(polygonizer));
+      for (const Polygonizer polygonizer : kPolygonizers)
+        expectOneTopology(field, preserving(polygonizer));
     }
   }
 }
@@ -96,7 +103,8 @@ TEST(PreservedTopology, isLostWithoutIt) {
     const Bytes bytes = encoded(field);
     const auto finest = piecesOf(decoded(bytes));
     bool all = true;
-    for (const LayerInfo& layer : infoOf(bytes).layers) all = all && piecesOf(meshOf(decoderOf(std::span(bytes).first(layer.offset)))) == finest;
+    for (const LayerInfo& layer : infoOf(bytes).layers)
+      all = all && piecesOf(meshOf(decoderOf(std::span(bytes).first(layer.offset)))) == finest;
     EXPECT_FALSE(all) << field.name << " is no test";
   }
 }
@@ -116,7 +124,7 @@ TEST(PreservedTopology, endsWithTheSameSurface) {
     plain.lossless = options.lossless = true;
     const Mesh expected = decoded(encoded(field, plain)), mesh = decoded(encoded(field, options));
     EXPECT_EQ(mesh.positions, expected.positions);
-    EXPECT_EQ(mesh.triangles, expected.triangles);
+    EXPECT_EQ(mesh.indices, expected.indices);
   }
 }
 
@@ -133,13 +141,15 @@ TEST(PreservedTopology, goesWithFurtherIsovalues) {
   const Mesh mesh = decoded(encoded(field, options), {.isovalue = 0.3});
   EncodeOptions plain;
   plain.furtherIsovalues = {0.3};
-  EXPECT_EQ(mesh.triangles, decoded(encoded(field, plain), {.isovalue = 0.3}).triangles);
+  EXPECT_EQ(mesh.indices, decoded(encoded(field, plain), {.isovalue = 0.3}).indices);
 }
 
 /// One vertex against what becomes of the whole surface.
 TEST(SignTurns, whatPassesChangesNoPiece) {
   uint64_t dice = 1;
-  const auto throwDice = [&] { return (dice = dice * 6364136223846793005u + 1442695040888963407u) >> 33; };
+  const auto throwDice = [&] {
+    return (dice = dice * 6364136223846793005u + 1442695040888963407u) >> 33;
+  };
   std::map<bool, int> answers;
   for (int i = 0; i < 400; ++i) {
     SampledField field{"noise", {4, 5, 4}, {}};
@@ -151,7 +161,9 @@ TEST(SignTurns, whatPassesChangesNoPiece) {
           field.samples.push_back(throwDice() % 8 < share ? 1 : -1);
           signs.set({x, y, z}, field.samples.back() > 0);
         }
-    const Coordinates<3> v{static_cast<int32_t>(throwDice() % 4), static_cast<int32_t>(throwDice() % 5), static_cast<int32_t>(throwDice() % 4)};
+    const Coordinates<3> v{static_cast<int32_t>(throwDice() % 4),
+                           static_cast<int32_t>(throwDice() % 5),
+                           static_cast<int32_t>(throwDice() % 4)};
     const auto before = piecesOf(sourceMesh(field, {.normals = false}));
     float& sample = field.samples[static_cast<std::size_t>(v[0] + 4 * (v[1] + 5 * v[2]))];
     sample = -sample;

@@ -1,4 +1,5 @@
-// What every mesh of the RBMT must be (§4.2, §4.3), checked without using its arithmetic of diamonds.
+// What every mesh of the RBMT must be (§4.2, §4.3), checked without using its arithmetic of
+// diamonds.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -54,8 +55,8 @@ int64_t volumeOf(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
   return static_cast<int64_t>(std::lround(determinant));
 }
 
-/// Leaves fill the box once, meet face to face, and neighbours differ by a level at most. All in positions: vertices
-/// beyond the box's end count as where they lie.
+/// Leaves fill the box once, meet face to face, and neighbours differ by a level at most. All in
+/// positions: vertices beyond the box's end count as where they lie.
 template <int D>
 void expectConformingAndRegular(const Rbmt<D>& mesh) {
   const auto& hierarchy = mesh.hierarchy();
@@ -81,7 +82,8 @@ void expectConformingAndRegular(const Rbmt<D>& mesh) {
     bool boundary = false;
     for (int a = 0; a < D; ++a) {
       for (int32_t end : {0, hierarchy.box()[a]}) {
-        boundary = boundary || std::all_of(facet.begin(), facet.end(), [&](const auto& p) { return p[a] == end; });
+        boundary = boundary || std::all_of(facet.begin(), facet.end(),
+                                           [&](const auto& p) { return p[a] == end; });
       }
     }
     ASSERT_EQ(maxDepth.size(), boundary ? 1u : 2u) << "leaves of a facet";
@@ -117,7 +119,8 @@ Coordinates<D> anyVertex(const Hierarchy<D>& hierarchy, std::mt19937& dice) {
     Coordinates<D> v;
     const int shift = static_cast<int>(dice() % static_cast<unsigned>(hierarchy.finestLevel()));
     for (int a = 0; a < D; ++a)
-      v[a] = static_cast<int32_t>(dice() % static_cast<unsigned>(lattice.last[a] + 1)) >> shift << shift;
+      v[a] = static_cast<int32_t>(dice() % static_cast<unsigned>(lattice.last[a] + 1)) >>
+             shift << shift;
     if (!hierarchy.isBase(v) && hierarchy.holds(v)) return v;
   }
 }
@@ -130,9 +133,11 @@ struct Box {
 /// Boxes with whole and torn cells, thin ones, ones smaller than a cell of the base.
 template <int D>
 std::vector<Box<D>> boxes() {
-  if constexpr (D == 2) return {{{8, 8}, 3}, {{16, 8}, 2}, {{1, 13}, 2}, {{7, 5}, 3}, {{5, 11}, 2}, {{1, 1}, 2}};
+  if constexpr (D == 2)
+    return {{{8, 8}, 3}, {{16, 8}, 2}, {{1, 13}, 2}, {{7, 5}, 3}, {{5, 11}, 2}, {{1, 1}, 2}};
   if constexpr (D == 3)
-    return {{{4, 4, 4}, 2}, {{8, 4, 4}, 2}, {{6, 4, 8}, 2}, {{1, 5, 2}, 2}, {{5, 3, 6}, 2}, {{3, 1, 1}, 3}};
+    return {{{4, 4, 4}, 2}, {{8, 4, 4}, 2}, {{6, 4, 8}, 2},
+            {{1, 5, 2}, 2}, {{5, 3, 6}, 2}, {{3, 1, 1}, 3}};
   if constexpr (D == 4) return {{{2, 2, 2, 2}, 1}, {{3, 2, 1, 4}, 1}, {{4, 3, 2, 3}, 2}};
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 template <class Dimension>
 class RbmtTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(RbmtTest, Dimensions);
 
 /// The set's law alone, by brute force: what must come before v, or go before it.
@@ -56,7 +56,8 @@ TYPED_TEST(RbmtTest, anySequenceLeavesAConformingRegularMesh) {
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     for (unsigned seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(testing::Message() << "box " << box.last[0] << ' ' << box.last[1] << ", seed " << seed);
+      SCOPED_TRACE(testing::Message()
+                   << "box " << box.last[0] << ' ' << box.last[1] << ", seed " << seed);
       std::mt19937 dice(seed);
       auto mesh = seed == 3 ? Rbmt<D>::full(hierarchy) : Rbmt<D>(hierarchy);
       typename Rbmt<D>::Vertices changed;
@@ -89,7 +90,8 @@ TYPED_TEST(RbmtTest, transitionsAreLeastAndInOrder) {
       const bool weld = mesh.contains(v);
       weld ? mesh.dependents(v, planned) : mesh.missing(v, planned);
       EXPECT_EQ(planned.back(), v);
-      EXPECT_EQ(Points<D>(planned.begin(), planned.end()), weld ? dependentsByForce(mesh, v) : missingByForce(mesh, v));
+      EXPECT_EQ(Points<D>(planned.begin(), planned.end()),
+                weld ? dependentsByForce(mesh, v) : missingByForce(mesh, v));
       EXPECT_EQ(planned.size() == 1, weld ? mesh.canWeld(v) : mesh.canSplit(v));
       auto bySteps = mesh;
       for (const auto& u : planned) {
@@ -189,7 +191,8 @@ TYPED_TEST(RbmtTest, starsAreTheLeavesThatHaveTheVertex) {
     }
     for (const auto& [v, leaves] : holders) {
       std::set<std::array<Coordinates<D>, D + 1>> star;
-      forEachLeafAround(mesh, v, [&](const TaggedSimplex<D>& s) { EXPECT_TRUE(star.insert(s.vertices).second); });
+      forEachLeafAround(
+          mesh, v, [&](const TaggedSimplex<D>& s) { EXPECT_TRUE(star.insert(s.vertices).second); });
       EXPECT_TRUE(star == leaves);
     }
   }

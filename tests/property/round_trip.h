@@ -27,7 +27,8 @@ inline StreamInfo infoOf(const Bytes& bytes) {
   return info;
 }
 
-/// A decoder that has heard a prefix and been told that no more will come. Its bytes are a copy of their very length.
+/// A decoder that has heard a prefix and been told that no more will come. Its bytes are a copy of
+/// their very length.
 inline Decoder decoderOf(std::span<const std::byte> prefix, const Limits& limits = {}) {
   const Bytes copy(prefix.begin(), prefix.end());
   Decoder decoder(limits);
@@ -52,7 +53,8 @@ inline Mesh decoded(std::span<const std::byte> bytes, const MeshOptions& options
 }
 
 /// The source's own surface.
-inline Mesh sourceMesh(const SampledField& field, const MeshOptions& options = {}, double isovalue = 0) {
+inline Mesh sourceMesh(const SampledField& field, const MeshOptions& options = {},
+                       double isovalue = 0) {
   Mesh mesh;
   EXPECT_EQ(polygonize(field.volume(), isovalue, options, mesh), Error::None) << described(field);
   return mesh;

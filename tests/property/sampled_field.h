@@ -29,7 +29,8 @@ inline SampledField sampled(std::string name, const Size& size, const Field& fie
   SampledField result{std::move(name), size, {}};
   for (int32_t z = 0; z < size[2]; ++z) {
     for (int32_t y = 0; y < size[1]; ++y) {
-      for (int32_t x = 0; x < size[0]; ++x) result.samples.push_back(static_cast<float>(field(x, y, z)));
+      for (int32_t x = 0; x < size[0]; ++x)
+        result.samples.push_back(static_cast<float>(field(x, y, z)));
     }
   }
   return result;
@@ -49,7 +50,9 @@ inline Field halfSpace(const std::array<double, 3>& n, double limit) {
 inline Field sphere(const Size& size, double share = 0.35) {
   const double radius = share * (std::min({size[0], size[1], size[2]}) - 1);
   return [=](double x, double y, double z) {
-    return radius - std::hypot(x - 0.5 * (size[0] - 1), y - 0.5 * (size[1] - 1), z - 0.5 * (size[2] - 1)) + 0.013;
+    return radius -
+           std::hypot(x - 0.5 * (size[0] - 1), y - 0.5 * (size[1] - 1), z - 0.5 * (size[2] - 1)) +
+           0.013;
   };
 }
 
@@ -65,8 +68,8 @@ inline Field torus(const Size& size, double share = 0.27) {
 inline Field gyroid(double period = 11) {
   return [=](double x, double y, double z) {
     const double k = 2 * 3.14159265358979 / period;
-    return std::sin(k * x) * std::cos(k * y) + std::sin(k * y) * std::cos(k * z) + std::sin(k * z) * std::cos(k * x) +
-           0.123;
+    return std::sin(k * x) * std::cos(k * y) + std::sin(k * y) * std::cos(k * z) +
+           std::sin(k * z) * std::cos(k * x) + 0.123;
   };
 }
 
@@ -94,17 +97,21 @@ inline std::vector<SampledField> fieldsOf(const Size& size) {
           sampled("gyroid", size, gyroid()),
           sampled("plane", size, plane()),
           sampled("noise", size, noise()),
-          sampled("whole numbers", size, [=](double x, double y, double z) { return std::round(100 * scan(x, y, z)); }),
-          sampled("bits", size, [=](double x, double y, double z) { return scan(x, y, z) > 0 ? 1.0 : 0.0; }),
-          sampled("rough", size, [=](double x, double y, double z) { return scan(x, y, z) + 0.4 * rough(x, y, z); })};
+          sampled("whole numbers", size,
+                  [=](double x, double y, double z) { return std::round(100 * scan(x, y, z)); }),
+          sampled("bits", size,
+                  [=](double x, double y, double z) { return scan(x, y, z) > 0 ? 1.0 : 0.0; }),
+          sampled("rough", size, [=](double x, double y, double z) {
+            return scan(x, y, z) + 0.4 * rough(x, y, z);
+          })};
 }
 
 inline const std::vector<Size> kSizes{{2, 2, 2},    {3, 2, 4},   {5, 7, 3}, {9, 9, 9},
                                       {17, 16, 33}, {64, 9, 30}, {2, 40, 2}};
 
 inline std::string described(const SampledField& field) {
-  return field.name + " of " + std::to_string(field.size[0]) + "x" + std::to_string(field.size[1]) + "x" +
-         std::to_string(field.size[2]);
+  return field.name + " of " + std::to_string(field.size[0]) + "x" + std::to_string(field.size[1]) +
+         "x" + std::to_string(field.size[2]);
 }
 
 }  // namespace isostar

@@ -32,7 +32,8 @@ struct SampledShape {
   [[nodiscard]] std::size_t index(const Coordinates<D>& v) const {
     std::size_t brickIndex = 0;
     for (int a = D - 1; a >= 0; --a)
-      brickIndex = brickIndex * static_cast<std::size_t>(box[a] + 1) + static_cast<std::size_t>(v[a]);
+      brickIndex =
+          brickIndex * static_cast<std::size_t>(box[a] + 1) + static_cast<std::size_t>(v[a]);
     return brickIndex;
   }
   void updateSigns() {
@@ -58,7 +59,8 @@ template <int D>
 SampledShape<D> sampledBall(int32_t last) {
   return SampledShape<D>(cube<D>(last), [=](const Vector<D>& p) {
     double squares = 0;
-    for (int a = 0; a < D; ++a) squares += (p[a] - last * 0.48 - 0.1 * a) * (p[a] - last * 0.48 - 0.1 * a);
+    for (int a = 0; a < D; ++a)
+      squares += (p[a] - last * 0.48 - 0.1 * a) * (p[a] - last * 0.48 - 0.1 * a);
     return last * 0.37 - std::sqrt(squares);
   });
 }

@@ -1,4 +1,5 @@
-// Every level's surface: closed, consistently oriented, of the right genus, with normals towards smaller values.
+// Every level's surface: closed, consistently oriented, of the right genus, with normals towards
+// smaller values.
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -19,7 +20,8 @@ TEST(Shape, everyLevelIsClosed) {
     for (const auto& field : fieldsOf(size)) {
       forEachLayer(encoded(field), [&](const Decoder& decoder) {
         for (const Polygonizer polygonizer : kPolygonizers) {
-          SCOPED_TRACE(described(field) + ", " + named(polygonizer) + ", level " + std::to_string(decoder.level()));
+          SCOPED_TRACE(described(field) + ", " + named(polygonizer) + ", level " +
+                       std::to_string(decoder.level()));
           const Mesh mesh = meshOf(decoder, {polygonizer, Frame::Grid, true});
           expectSound(mesh);
           expectClosed(mesh, size);
@@ -31,18 +33,20 @@ TEST(Shape, everyLevelIsClosed) {
 
 TEST(Shape, aSphereIsASphereAndATorusATorus) {
   const Size size{40, 40, 40};
-  const std::vector<std::pair<SampledField, int64_t>> fields{{sampled("sphere", size, sphere(size)), 2},
-                                                             {sampled("torus", size, torus(size)), 0}};
+  const std::vector<std::pair<SampledField, int64_t>> fields{
+      {sampled("sphere", size, sphere(size)), 2}, {sampled("torus", size, torus(size)), 0}};
   for (const auto& [field, euler] : fields) {
-    forEachLayer(encoded(field), [&, &name = field.name, &expected = euler](const Decoder& decoder) {
-      if (decoder.level() < decoder.levels() - 2) return;  // coarser, the ring may be cut
-      for (const Polygonizer polygonizer : kPolygonizers) {
-        SCOPED_TRACE(name + ", " + named(polygonizer) + ", level " + std::to_string(decoder.level()));
-        const Shape shape = shapeOf(meshOf(decoder, {polygonizer, Frame::Grid, false}));
-        EXPECT_EQ(shape.components, 1);
-        EXPECT_EQ(shape.euler, expected);
-      }
-    });
+    forEachLayer(
+        encoded(field), [&, &name = field.name, &expected = euler](const Decoder& decoder) {
+          if (decoder.level() < decoder.levels() - 2) return;  // coarser, the ring may be cut
+          for (const Polygonizer polygonizer : kPolygonizers) {
+            SCOPED_TRACE(name + ", " + named(polygonizer) + ", level " +
+                         std::to_string(decoder.level()));
+            const Shape shape = shapeOf(meshOf(decoder, {polygonizer, Frame::Grid, false}));
+            EXPECT_EQ(shape.components, 1);
+            EXPECT_EQ(shape.euler, expected);
+          }
+        });
   }
 }
 
@@ -72,7 +76,8 @@ Point inWorld(const Placement& p, const Point& sample) {
   Point world;
   for (std::size_t a = 0; a < 3; ++a) {
     world[a] = p.origin[a];
-    for (std::size_t b = 0; b < 3; ++b) world[a] += p.direction[a * 3 + b] * p.spacing[b] * sample[b];
+    for (std::size_t b = 0; b < 3; ++b)
+      world[a] += p.direction[a * 3 + b] * p.spacing[b] * sample[b];
   }
   return world;
 }
@@ -113,10 +118,12 @@ TEST(Shape, worldIsTheGridPlaced) {
     auto field = sampled("gyroid", {12, 13, 14}, gyroid());
     field.placement = placement;
     const Bytes bytes = encoded(field);
-    const Mesh grid = decoded(bytes, {Polygonizer::Cubes, Frame::Grid, true}), world = decoded(bytes);
+    const Mesh grid = decoded(bytes, {Polygonizer::Cubes, Frame::Grid, true}),
+               world = decoded(bytes);
     ASSERT_EQ(grid.positions.size(), world.positions.size());
     for (uint32_t i = 0; i < verticesOf(grid); ++i) {
-      const Point expected = inWorld(placement, pointAt(grid.positions, i)), found = pointAt(world.positions, i);
+      const Point expected = inWorld(placement, pointAt(grid.positions, i)),
+                  found = pointAt(world.positions, i);
       for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(found[a], expected[a], 1e-4);
     }
   }

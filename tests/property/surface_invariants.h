@@ -22,12 +22,14 @@ struct Invariants {
   }
 };
 
-/// A complex of simplices by the numbers of their vertices; its isosurface has a cell in each crossing simplex.
+/// A complex of simplices by the numbers of their vertices; its isosurface has a cell in each
+/// crossing simplex.
 class CellularSurface {
  public:
   using Face = std::vector<uint64_t>;  // ascending
 
-  explicit CellularSurface(std::vector<Face> crossing, const std::map<uint64_t, bool>& positive) : positive_(positive) {
+  explicit CellularSurface(std::vector<Face> crossing, const std::map<uint64_t, bool>& positive)
+      : positive_(positive) {
     for (const auto& s : crossing) {
       std::size_t first = none();
       for (uint32_t subset = 1; subset < 1u << s.size(); ++subset) {
@@ -72,8 +74,8 @@ class CellularSurface {
 
 /// Of the isosurface in some simplices; vertices are known by their positions.
 template <int D, class Positive>
-Invariants invariantsOf(const Hierarchy<D>& hierarchy, const std::vector<TaggedSimplex<D>>& simplices,
-                        const Positive& positive) {
+Invariants invariantsOf(const Hierarchy<D>& hierarchy,
+                        const std::vector<TaggedSimplex<D>>& simplices, const Positive& positive) {
   std::map<uint64_t, bool> signs;
   std::vector<CellularSurface::Face> crossing;
   std::map<CellularSurface::Face, int> facets;
@@ -83,11 +85,13 @@ Invariants invariantsOf(const Hierarchy<D>& hierarchy, const std::vector<TaggedS
       const auto p = hierarchy.position(v);
       uint64_t number = 0;
       for (int a = D - 1; a >= 0; --a)
-        number = number * static_cast<uint64_t>(hierarchy.box()[a] + 1) + static_cast<uint64_t>(p[a]);
+        number =
+            number * static_cast<uint64_t>(hierarchy.box()[a] + 1) + static_cast<uint64_t>(p[a]);
       signs[number] = positive(v);
       face.push_back(number);
     }
-    if (std::all_of(face.begin(), face.end(), [&](uint64_t v) { return signs.at(v) == signs.at(face.front()); }))
+    if (std::all_of(face.begin(), face.end(),
+                    [&](uint64_t v) { return signs.at(v) == signs.at(face.front()); }))
       continue;
     std::sort(face.begin(), face.end());
     for (std::size_t i = 0; i < face.size(); ++i) {

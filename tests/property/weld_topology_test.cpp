@@ -1,18 +1,19 @@
-// Welds that topology.h lets pass leave the isosurface's topology alone (§4.3), and careless ones do not.
-#include "bisection/criteria.h"
+// Welds that topology.h lets pass leave the isosurface's topology alone (§4.3), and careless ones
+// do not.
+#include "bisection/weld_topology.h"
 #include "bisection/adaptation.h"
+#include "bisection/criteria.h"
 #include "delicate_shapes.h"
 #include "rbmt_checks.h"
 #include "surface_invariants.h"
-#include "bisection/weld_topology.h"
 
 namespace isostar {
 namespace {
 
 template <class Dimension>
 class WeldTopologyTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(WeldTopologyTest, Dimensions);
 
 /// Signs by position: what a field has.
@@ -39,8 +40,10 @@ TYPED_TEST(WeldTopologyTest, weldedNoiseKeepsItsInvariants) {
       const Noise<D> noise{&hierarchy, seed, 1 + seed % 4};
       auto mesh = Rbmt<D>::full(hierarchy);
       const auto before = invariantsOf(hierarchy, leavesOf(mesh), noise);
-      coarsen(mesh, [&](const Diamond<D>& d) { return weldKeepsTopology(hierarchy, d.vertex, noise); });
-      EXPECT_EQ(invariantsOf(hierarchy, leavesOf(mesh), noise), before) << "box " << box.last[0] << ' ' << box.last[1];
+      coarsen(mesh,
+              [&](const Diamond<D>& d) { return weldKeepsTopology(hierarchy, d.vertex, noise); });
+      EXPECT_EQ(invariantsOf(hierarchy, leavesOf(mesh), noise), before)
+          << "box " << box.last[0] << ' ' << box.last[1];
     }
   }
 }
@@ -63,11 +66,13 @@ TYPED_TEST(WeldTopologyTest, everyWeldKeepsItsStar) {
           if (!hierarchy.flat(half.vertices)) before.push_back(half);
         }
       });
-      const auto old = invariantsOf(hierarchy, before, noise), now = invariantsOf(hierarchy, after, noise);
+      const auto old = invariantsOf(hierarchy, before, noise),
+                 now = invariantsOf(hierarchy, after, noise);
       const bool keeps = weldKeepsTopology(hierarchy, v, noise);
       ++answers[keeps];
       if (keeps) {
-        EXPECT_EQ(old, now) << "vertex " << v[0] << ' ' << v[1] << ", box " << box.last[0] << ' ' << box.last[1];
+        EXPECT_EQ(old, now) << "vertex " << v[0] << ' ' << v[1] << ", box " << box.last[0] << ' '
+                            << box.last[1];
       }
       // In space a refusal is right, too, unless the box cuts the diamond before its middle.
       bool cut = false;
@@ -95,25 +100,32 @@ TEST(WeldTopology, shapesKeepWhatTheyAreWhileTheyCoarsen) {
   for (const auto& [name, shape, components, euler] : shapes) {
     SCOPED_TRACE(name);
     const Hierarchy<3> hierarchy(shape.box, 3);
-    auto positive = [&, &field = shape](const Coordinates<3>& v) { return field(hierarchy.position(v)) > 0; };
+    auto positive = [&, &field = shape](const Coordinates<3>& v) {
+      return field(hierarchy.position(v)) > 0;
+    };
     Rbmt<3> finest(hierarchy);
-    refine(finest, [&, &field = shape](const TaggedSimplex<3>& s) { return !mayCross(field.signs, hierarchy, s); });
+    refine(finest, [&, &field = shape](const TaggedSimplex<3>& s) {
+      return !mayCross(field.signs, hierarchy, s);
+    });
     const auto tube = tubeOf(finest, shape.signs);
     const auto before = invariantsOf(hierarchy, tube, positive);
     EXPECT_EQ(before.components, components);
     EXPECT_EQ(before.euler, euler);
 
     auto careful = finest;
-    coarsen(careful, [&](const Diamond<3>& d) { return weldKeepsTopology(hierarchy, d.vertex, positive); });
+    coarsen(careful,
+            [&](const Diamond<3>& d) { return weldKeepsTopology(hierarchy, d.vertex, positive); });
     const auto kept = tubeOf(careful, shape.signs);
     EXPECT_EQ(invariantsOf(hierarchy, kept, positive), before);
     EXPECT_LT(kept.size() * 3, tube.size()) << "coarse it is";
     expectConformingAndRegular(careful);
 
     auto careless = finest;
-    const DistanceBound<3, SampledShape<3>, SampledShape<3>> near(hierarchy, shape.signs, shape, shape, 2.5);
+    const DistanceBound<3, SampledShape<3>, SampledShape<3>> near(hierarchy, shape.signs, shape,
+                                                                  shape, 2.5);
     coarsen(careless, allKept(hierarchy, near));
-    EXPECT_NE(invariantsOf(hierarchy, tubeOf(careless, shape.signs), positive), before) << "the shape is no test";
+    EXPECT_NE(invariantsOf(hierarchy, tubeOf(careless, shape.signs), positive), before)
+        << "the shape is no test";
   }
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 template <class Dimension>
 class AdjacencyTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(AdjacencyTest, Dimensions);
 
 /// All simplices of a level that are in the box.

@@ -1,4 +1,5 @@
-// What is told instead of the truth: never worse for the crossings than the truth's interval, unless that saves enough.
+// What is told instead of the truth: never worse for the crossings than the truth's interval,
+// unless that saves enough.
 #include "coding/exchange/rdoq_target.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +10,12 @@ namespace {
 constexpr uint32_t kWidth = 16;  // of the intervals that halving ends with, half quanta
 
 /// The middle of the interval that holds a magnitude.
-uint32_t settled(uint32_t magnitude) { return 2 * magnitude / kWidth * kWidth + kWidth / 2; }
+uint32_t settled(uint32_t magnitude) {
+  return 2 * magnitude / kWidth * kWidth + kWidth / 2;
+}
 
-/// An edge of a vertex of so many half quanta to a far end of 100 that is told as `told`; 1/10 of it is allowed.
+/// An edge of a vertex of so many half quanta to a far end of 100 that is told as `told`; 1/10 of
+/// it is allowed.
 CrossingDistortion<3> oneEdge(double size, double coded, double most = 1) {
   CrossingDistortion<3> errors(0.0);
   errors.add({size / (size + 100), 100, coded, 10, 1, most});
@@ -40,7 +44,9 @@ TEST(RdoqTarget, isTheTruthWhereNothingIsKnownOfCrossings) {
   target.choose(128, 128, settled);
   EXPECT_EQ(target.magnitude(), 52u);
   Meter meter;
-  EXPECT_FALSE(target.codeUpper(meter, 128, settled, [&](auto& coder) { return coder.bit(target.upper(128), kProbabilityOne - kLeastProbability); }));
+  EXPECT_FALSE(target.codeUpper(meter, 128, settled, [&](auto& coder) {
+    return coder.bit(target.upper(128), kProbabilityOne - kLeastProbability);
+  }));
 }
 
 TEST(RdoqTarget, makesUpForWhatTheFarEndIsOff) {
@@ -67,12 +73,14 @@ TEST(RdoqTarget, staysInTheIntervalThatIsKnown) {
   EXPECT_LT(target.magnitude(), 64u);
 }
 
-/// What is told of a magnitude just below a middle, where the upper half is as likely as `chance` says.
+/// What is told of a magnitude just below a middle, where the upper half is as likely as `chance`
+/// says.
 bool upperCoded(uint32_t probability) {
   Meter meter;
   RdoqTarget<3> target(55, oneEdge(111, 100));
   target.choose(128, 128, settled);
-  const bool coded = target.codeUpper(meter, 112, settled, [&](auto& coder) { return coder.bit(target.upper(112), probability); });
+  const bool coded = target.codeUpper(
+      meter, 112, settled, [&](auto& coder) { return coder.bit(target.upper(112), probability); });
   EXPECT_EQ(target.upper(112), coded);  // so is what follows
   EXPECT_EQ(settled(target.magnitude()), coded ? 120u : 104u);
   return coded;
@@ -87,7 +95,9 @@ TEST(RdoqTarget, tellsTheLikelyHalfWhereThatHardlyMatters) {
 TEST(RdoqTarget, isNotPersuadedWhereCrossingsWouldMove) {
   Meter meter;
   RdoqTarget<3> target(49, oneEdge(98, 100));
-  EXPECT_FALSE(target.codeUpper(meter, 112, settled, [&](auto& coder) { return coder.bit(target.upper(112), kProbabilityOne - kLeastProbability); }));
+  EXPECT_FALSE(target.codeUpper(meter, 112, settled, [&](auto& coder) {
+    return coder.bit(target.upper(112), kProbabilityOne - kLeastProbability);
+  }));
   EXPECT_EQ(target.magnitude(), 49u);
 }
 

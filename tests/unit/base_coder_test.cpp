@@ -28,8 +28,8 @@ std::vector<Lattice<D>> lattices() {
 
 template <class Dimension>
 class BaseCoderTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(BaseCoderTest, Dimensions);
 
 TYPED_TEST(BaseCoderTest, tellsEachSignOfEachField) {
@@ -39,8 +39,10 @@ TYPED_TEST(BaseCoderTest, tellsEachSignOfEachField) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(lattice.box));
       const DenseSigns<D> actual(lattice, field.positive);
       Signs<D> mine(lattice), theirs(lattice);
-      const auto bytes = coded(actual.bricks(), NoScalars(), [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
-      EXPECT_TRUE(decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
+      const auto bytes = coded(actual.bricks(), NoScalars(),
+                               [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
+      EXPECT_TRUE(
+          decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
       EXPECT_EQ(DenseSigns<D>(mine), actual);
       EXPECT_EQ(DenseSigns<D>(theirs), actual);
     }
@@ -53,8 +55,10 @@ TYPED_TEST(BaseCoderTest, randomAnswersAreAlwaysSomeSurface) {
     for (uint64_t seed = 0; seed < 30; ++seed) {
       const double rate = std::array{0.5, 0.1, 0.9, 1.0}[seed % 4];
       Signs<D> mine(lattice), theirs(lattice);
-      const auto bytes = thrown<D>(seed, rate, [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
-      ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
+      const auto bytes =
+          thrown<D>(seed, rate, [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
+      ASSERT_TRUE(
+          decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
       ASSERT_EQ(DenseSigns<D>(theirs), DenseSigns<D>(mine)) << "seed " << seed;
     }
   }
@@ -106,7 +110,10 @@ TEST(BaseCoder, nothingIsAByteAtMost) {
   for (bool positive : {false, true}) {
     const DenseSigns<3> actual(lattice, [=](const auto&) { return positive; });
     Signs<3> signs(lattice);
-    EXPECT_LE(coded(actual.bricks(), NoScalars(), [&](auto& exchange) { BaseCoder<3>().code(exchange, signs); }).size(), 1u);
+    EXPECT_LE(coded(actual.bricks(), NoScalars(),
+                    [&](auto& exchange) { BaseCoder<3>().code(exchange, signs); })
+                  .size(),
+              1u);
     EXPECT_EQ(DenseSigns<3>(signs), actual);
   }
 }

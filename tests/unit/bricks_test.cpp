@@ -69,7 +69,8 @@ TEST(Bricks, placesAreNumberedWithoutGaps) {
   EXPECT_EQ(table.count(1), 1);
   EXPECT_EQ(table.count(2), 4);
   EXPECT_EQ(table.total(), 12u);
-  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) EXPECT_EQ(table.index(table.brick(brickIndex)), brickIndex);
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex)
+    EXPECT_EQ(table.index(table.brick(brickIndex)), brickIndex);
 }
 
 }  // namespace

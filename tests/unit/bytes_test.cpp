@@ -80,7 +80,8 @@ TEST(Bytes, noBytes) {
 
 TEST(Bytes, realNumbersComeBack) {
   const double third = 1.0 / 3;
-  for (double v : {0.0, 0.5, -0.05, 500.5, 127.5, 1e9, -1e20, third, 1e-30, 0.957031, double{0.1F}, 123456.7890123, 0x1p60}) {
+  for (double v : {0.0, 0.5, -0.05, 500.5, 127.5, 1e9, -1e20, third, 1e-30, 0.957031, double{0.1F},
+                   123456.7890123, 0x1p60}) {
     std::vector<std::byte> bytes;
     ByteWriter(bytes).real(v);
     ByteReader in(bytes);
@@ -105,7 +106,8 @@ TEST(Bytes, shortDecimalsAreShort) {
 }
 
 TEST(Bytes, smallNumbersOfEitherSignAreShort) {
-  for (int64_t v : {int64_t{0}, int64_t{-1}, int64_t{63}, int64_t{-64}, int64_t{1} << 40, -(int64_t{1} << 40)}) {
+  for (int64_t v : {int64_t{0}, int64_t{-1}, int64_t{63}, int64_t{-64}, int64_t{1} << 40,
+                    -(int64_t{1} << 40)}) {
     std::vector<std::byte> bytes;
     ByteWriter(bytes).zigzag(v);
     EXPECT_EQ(ByteReader(bytes).zigzag(), v);

@@ -27,7 +27,8 @@ std::set<Segment> outlineOf(const CellCase& shape) {
   std::set<Segment> outline;
   for (std::size_t t = 0; t < shape.triangleCount; ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const Edge a = keyOf(shape.edges[shape.triangles[t][i]]), b = keyOf(shape.edges[shape.triangles[t][(i + 1) % 3]]);
+      const Edge a = keyOf(shape.edges[shape.triangles[t][i]]),
+                 b = keyOf(shape.edges[shape.triangles[t][(i + 1) % 3]]);
       EXPECT_TRUE(outline.erase({b, a}) == 1 || outline.insert({a, b}).second)
           << "an edge of two triangles in the same direction";
     }
@@ -104,10 +105,12 @@ TEST(CellTable, cellsMeetInTheirCommonFace) {
       const unsigned next = polygonizer == Polygonizer::Cubes ? 0 : parity ^ 1u << axis;
       for (unsigned signs = 0; signs < 256; ++signs) {
         std::set<Segment> flipped;
-        for (const auto& [a, b] : inFace(outlineOf(cellTable(polygonizer, next)[signs]), axis, false))
+        for (const auto& [a, b] :
+             inFace(outlineOf(cellTable(polygonizer, next)[signs]), axis, false))
           flipped.insert({b, a});
         const auto [at, isFirst] = near.emplace(faceSigns(signs, axis, false), flipped);
-        EXPECT_TRUE(isFirst || at->second == flipped) << "a face's outline depends on more than its signs: " << signs;
+        EXPECT_TRUE(isFirst || at->second == flipped)
+            << "a face's outline depends on more than its signs: " << signs;
       }
       for (unsigned signs = 0; signs < 256; ++signs) {
         EXPECT_EQ(inFace(outlineOf(cellTable(polygonizer, parity)[signs]), axis, true),

@@ -12,10 +12,11 @@ TEST(Interval, isWhatAMagnitudeSaysSeenFromALevel) {
   Scalars<2>::Brick brick{};
   brick.set(0, true, 8, 3);
   brick.set(1, false, 8, 3);
-  const Interval above = Interval::of(brick.value[0], 100), below = Interval::of(brick.value[1], 100);
+  const Interval above = Interval::of(brick.value[0], 100),
+                 below = Interval::of(brick.value[1], 100);
   EXPECT_EQ(above.low, 108);
   EXPECT_EQ(above.high, 116);
-  EXPECT_EQ(below.low, 84);   // -1 is the first negative level: magnitudes 8 … 15 are -9 … -16
+  EXPECT_EQ(below.low, 84);  // -1 is the first negative level: magnitudes 8 … 15 are -9 … -16
   EXPECT_EQ(below.high, 92);
   EXPECT_EQ(above.value(100), brick.value[0]);
   EXPECT_EQ(below.value(100), brick.value[1]);
@@ -28,8 +29,10 @@ TEST(Interval, isNeverNothing) {
         for (const bool side : {false, true}) {
           const Interval cut = Interval{low, high}.cut(level, side);
           EXPECT_LT(cut.low, cut.high);
-          if (side) EXPECT_GE(cut.low, level);
-          else EXPECT_LE(cut.high, level);
+          if (side)
+            EXPECT_GE(cut.low, level);
+          else
+            EXPECT_LE(cut.high, level);
         }
       }
     }
@@ -62,30 +65,42 @@ template <int D>
 class Coding {
  public:
   Coding(const Coordinates<D>& box, typename LevelField<D>::Value value)
-      : lattice_(box, 1), field_{BrickTable<D>(lattice_), std::move(value)}, first_(signsAt(0)), scalars_(first_.table().total()) {
+      : lattice_(box, 1),
+        field_{BrickTable<D>(lattice_), std::move(value)},
+        first_(signsAt(0)),
+        scalars_(first_.table().total()) {
     // Octaves of the first one's tube only.
     ExponentCoder<D> exponents;
     const auto active = activeBricks(first_);
-    (void)coded<D>(first_, field_, [&](auto& exchange) { exponents.code(exchange, first_, scalars_, Members::AxisEnds, 2, active); });
+    (void)coded<D>(first_, field_, [&](auto& exchange) {
+      exponents.code(exchange, first_, scalars_, Members::AxisEnds, 2, active);
+    });
   }
 
   void add(int32_t level) {
     field_.level = level;
     const Signs<D> actual = signsAt(level);
-    pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) { side.signs(exchange, {0.0, first_, scalars_}, level, level, 0); });
+    pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) {
+      side.signs(exchange, {0.0, first_, scalars_}, level, level, 0);
+    });
     expectSigns(actual);
-    pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) { side.exponents(exchange, Members::AxisEnds, 2); });
+    pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) {
+      side.exponents(exchange, Members::AxisEnds, 2);
+    });
     typename FarEnds<D>::Allowed allowed;
     allowed.fill(3000);
     for (const bool selective : {true, false}) {
-      pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) { side.magnitudes(exchange, {Members::AxisEnds, allowed, 30, selective}); });
+      pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) {
+        side.magnitudes(exchange, {Members::AxisEnds, allowed, 30, selective});
+      });
     }
     expectScalars();
   }
 
  private:
   [[nodiscard]] Signs<D> signsAt(int32_t level) const {
-    return DenseSigns<D>(lattice_, [&](const auto& v) { return field_.value(v) >= level; }).bricks();
+    return DenseSigns<D>(lattice_, [&](const auto& v) { return field_.value(v) >= level; })
+        .bricks();
   }
   template <class Code>
   void pass(const Signs<D>& actual, Code code) {
@@ -110,7 +125,8 @@ class Coding {
       if (found.active[brickIndex] == 0) continue;
       tube.enter(found.signs, brickIndex, Members::AxisEnds);
       tube.forEach([&](int row, std::size_t r, int x) {
-        const int32_t value = found.scalars.at(brickIndex).value[r * kBrickSide + static_cast<std::size_t>(x)];
+        const int32_t value =
+            found.scalars.at(brickIndex).value[r * kBrickSide + static_cast<std::size_t>(x)];
         ASSERT_NE(value, Scalars<D>::kUnknown);
         ASSERT_EQ(value > 0, tube.positive(row, x));
       });
@@ -126,14 +142,15 @@ class Coding {
 
 template <int D>
 std::vector<typename LevelField<D>::Value> levelFields() {
-  return {[](const auto& v) {
-            int32_t squares = 0;
-            for (int32_t x : v) squares += (x - 8) * (x - 8);
-            return 400 - 10 * squares;
-          },
-          [](const auto& v) { return static_cast<int32_t>(scrambled<D>(v, 7) % 2001) - 1000; },
-          [](const auto& v) { return v[0] * 40 - 300 + static_cast<int32_t>(scrambled<D>(v, 5) % 60); },
-          [](const auto&) { return -5; }};
+  return {
+      [](const auto& v) {
+        int32_t squares = 0;
+        for (int32_t x : v) squares += (x - 8) * (x - 8);
+        return 400 - 10 * squares;
+      },
+      [](const auto& v) { return static_cast<int32_t>(scrambled<D>(v, 7) % 2001) - 1000; },
+      [](const auto& v) { return v[0] * 40 - 300 + static_cast<int32_t>(scrambled<D>(v, 5) % 60); },
+      [](const auto&) { return -5; }};
 }
 
 template <int D>
@@ -145,26 +162,36 @@ void expectDecoded(const Coordinates<D>& box) {
 }
 
 TEST(FurtherIsovalues, isHeardAsTold2D) {
-  for (const auto& box : {Coordinates<2>{16, 16}, {30, 7}, {1, 1}, {0, 5}, {100, 40}}) expectDecoded<2>(box);
+  for (const auto& box : {Coordinates<2>{16, 16}, {30, 7}, {1, 1}, {0, 5}, {100, 40}})
+    expectDecoded<2>(box);
 }
 TEST(FurtherIsovalues, isHeardAsTold3D) {
-  for (const auto& box : {Coordinates<3>{16, 16, 16}, {30, 7, 9}, {1, 1, 1}, {40, 2, 25}}) expectDecoded<3>(box);
+  for (const auto& box : {Coordinates<3>{16, 16, 16}, {30, 7, 9}, {1, 1, 1}, {40, 2, 25}})
+    expectDecoded<3>(box);
 }
 
 TEST(FurtherIsovalues, anyAnswersAreAStream) {
   const Lattice<3> lattice({20, 17, 18}, 1);
-  const Signs<3> first = DenseSigns<3>(lattice, [](const auto& v) { return v[0] + v[1] > 15; }).bricks();
+  const Signs<3> first =
+      DenseSigns<3>(lattice, [](const auto& v) { return v[0] + v[1] > 15; }).bricks();
   const Scalars<3> none(first.table().total());
   for (uint64_t seed = 0; seed < 8; ++seed) {
     FurtherIsovalues<3> dice, decodingSide;
     for (const int32_t level : {5, -5, 2, (1 << 29) - 1}) {
       const auto run = [&](auto code) {
-        const auto bytes = thrown<3>(seed, seed % 2 == 0 ? 1 : 0.3, [&](auto& exchange) { code(exchange, dice); });
+        const auto bytes =
+            thrown<3>(seed, seed % 2 == 0 ? 1 : 0.3, [&](auto& exchange) { code(exchange, dice); });
         EXPECT_TRUE(decoded<3>(bytes, [&](auto& exchange) { code(exchange, decodingSide); }));
       };
-      run([&](auto& exchange, FurtherIsovalues<3>& side) { side.signs(exchange, {0.0, first, none}, level, level, 1); });
-      run([&](auto& exchange, FurtherIsovalues<3>& side) { side.exponents(exchange, Members::AxisEnds, 3); });
-      run([&](auto& exchange, FurtherIsovalues<3>& side) { side.magnitudes(exchange, {Members::AxisEnds, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false}); });
+      run([&](auto& exchange, FurtherIsovalues<3>& side) {
+        side.signs(exchange, {0.0, first, none}, level, level, 1);
+      });
+      run([&](auto& exchange, FurtherIsovalues<3>& side) {
+        side.exponents(exchange, Members::AxisEnds, 3);
+      });
+      run([&](auto& exchange, FurtherIsovalues<3>& side) {
+        side.magnitudes(exchange, {Members::AxisEnds, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false});
+      });
       const auto &a = dice.surfaces().back(), &b = decodingSide.surfaces().back();
       for (std::size_t brickIndex = 0; brickIndex < a.active.size(); ++brickIndex) {
         ASSERT_EQ(a.signs.brickAt(brickIndex), b.signs.brickAt(brickIndex));

@@ -24,14 +24,16 @@ class DenseSigns {
   /// `positive` is asked with sample coordinates.
   using Positive = std::function<bool(const Coordinates<D>&)>;
 
-  DenseSigns(const Lattice<D>& lattice, const Positive& positive) : lattice_(lattice), signs_(lattice.vertices()) {
+  DenseSigns(const Lattice<D>& lattice, const Positive& positive)
+      : lattice_(lattice), signs_(lattice.vertices()) {
     forVertices(lattice, [&](const Coordinates<D>& v) {
       Coordinates<D> sample;
       for (int a = 0; a < D; ++a) sample[a] = lattice.sample(a, v[a]);
       signs_[index(v)] = positive(sample);
     });
   }
-  explicit DenseSigns(const Signs<D>& signs) : lattice_(signs.lattice()), signs_(lattice_.vertices()) {
+  explicit DenseSigns(const Signs<D>& signs)
+      : lattice_(signs.lattice()), signs_(lattice_.vertices()) {
     forVertices(lattice_, [&](const Coordinates<D>& v) { signs_[index(v)] = signs.at(v); });
   }
 

@@ -9,8 +9,9 @@ namespace isostar {
 namespace {
 
 TEST(Errors, haveTheNamesOfTheContract) {
-  const std::array errors{Error::None,      Error::BadArgument, Error::NotIsostar, Error::UnsupportedVersion,
-                          Error::Truncated, Error::Corrupt,     Error::OverLimit};
+  const std::array errors{
+      Error::None,      Error::BadArgument, Error::NotIsostar, Error::UnsupportedVersion,
+      Error::Truncated, Error::Corrupt,     Error::OverLimit};
   const std::array names{"None",      "BadArgument", "NotIsostar", "UnsupportedVersion",
                          "Truncated", "Corrupt",     "OverLimit"};
   std::set<std::string> clauses;

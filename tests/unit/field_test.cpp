@@ -37,8 +37,9 @@ void expectOctaves(const Coordinates<D>& box) {
   SCOPED_TRACE(testing::PrintToString(box));
   for (const auto& field : signFields<D>(box)) {
     std::vector<float> samples;
-    forVertices(Lattice<D>(box, 1),
-                [&](const Coordinates<D>& v) { samples.push_back(field.positive(v) ? 3.0f : 2.0f); });
+    forVertices(Lattice<D>(box, 1), [&](const Coordinates<D>& v) {
+      samples.push_back(field.positive(v) ? 3.0f : 2.0f);
+    });
     Signs<D> signs = GridField<D>(samples, sizeOf<D>(box), 2.5).signs();
     expectSigns(signs, field);
     while (std::ranges::any_of(signs.lattice().last, [](int32_t last) { return last > 1; })) {
@@ -60,8 +61,8 @@ TEST(Field, signsOnEachOctave) {
 TEST(Field, positiveIsAboveTheIsovalueExactly) {
   constexpr float kMost = std::numeric_limits<float>::max();
   const std::vector<float> samples{-kMost, -1, -0.1f, 0, 0.1f, 1, 7, kMost};
-  for (const double isovalue :
-       {-1e300, double{-kMost}, -1.0, 0.1, double{0.1f}, 0.0, 1 + 1e-12, 1 - 1e-12, double{kMost}, 1e300}) {
+  for (const double isovalue : {-1e300, double{-kMost}, -1.0, 0.1, double{0.1f}, 0.0, 1 + 1e-12,
+                                1 - 1e-12, double{kMost}, 1e300}) {
     const GridField<3> field(samples, {2, 2, 2}, isovalue);
     const auto signs = field.signs();
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -113,7 +114,9 @@ TEST(Field, gradientIsTheMedianDifference) {
     });
     std::ranges::sort(differences);
     const double median = differences.empty() ? 1 : differences[differences.size() / 2];
-    EXPECT_EQ(field.gradient(header, signs, brickIndex), std::lround(4 * std::log2(std::max(1.0, median)))) << brickIndex;
+    EXPECT_EQ(field.gradient(header, signs, brickIndex),
+              std::lround(4 * std::log2(std::max(1.0, median))))
+        << brickIndex;
   }
 }
 

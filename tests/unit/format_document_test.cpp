@@ -1,4 +1,5 @@
-// docs/format.md tells the truth: its example is read out of the page itself and decoded field by field.
+// docs/format.md tells the truth: its example is read out of the page itself and decoded field by
+// field.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -11,7 +12,8 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Hexadecimal bytes between the first two backticks of each table row of a section; each row stands where it says.
+/// Hexadecimal bytes between the first two backticks of each table row of a section; each row
+/// stands where it says.
 Bytes exampleOf(const std::string& path) {
   Bytes bytes;
   bool inside = false;
@@ -21,12 +23,15 @@ Bytes exampleOf(const std::string& path) {
     const std::size_t first = line.find("| `"), last = line.find("` |");
     if (!inside || first == std::string::npos || last == std::string::npos) continue;
     EXPECT_EQ(std::stoul(line.substr(2)), bytes.size()) << line;
-    for (std::size_t at = first + 3; at < last; at += 3) bytes.push_back(static_cast<std::byte>(std::stoul(line.substr(at, 2), nullptr, 16)));
+    for (std::size_t at = first + 3; at < last; at += 3)
+      bytes.push_back(static_cast<std::byte>(std::stoul(line.substr(at, 2), nullptr, 16)));
   }
   return bytes;
 }
 
-Bytes example() { return exampleOf(ISOSTAR_DOCUMENTS "/format.md"); }
+Bytes example() {
+  return exampleOf(ISOSTAR_DOCUMENTS "/format.md");
+}
 
 TEST(FormatDocument, itsHeaderIsAsItSays) {
   const Bytes bytes = example();
@@ -66,8 +71,10 @@ TEST(FormatDocument, itsLayersAreAsItSays) {
   Header header;
   std::size_t used = 0;
   ASSERT_EQ(read(bytes, header, used), Error::None);
-  for (const HeadOf& expected : {HeadOf{20, LayerKind::Base, 0, 1, 4, 0x7A06}, HeadOf{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
-                                 HeadOf{39, LayerKind::Exponents, 1, 0.0573, 14, 0xE84B}, HeadOf{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x1592}}) {
+  for (const HeadOf& expected : {HeadOf{20, LayerKind::Base, 0, 1, 4, 0x7A06},
+                                 HeadOf{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
+                                 HeadOf{39, LayerKind::Exponents, 1, 0.0573, 14, 0xE84B},
+                                 HeadOf{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x1592}}) {
     LayerHead head;
     ASSERT_EQ(read(std::span(bytes).subspan(expected.at), header, head, used), Error::None);
     EXPECT_EQ(used, 5u);
@@ -76,7 +83,8 @@ TEST(FormatDocument, itsLayersAreAsItSays) {
     EXPECT_NEAR(head.error, expected.error, 0.005 * expected.error);
     EXPECT_EQ(head.bytes, expected.bytes);
     EXPECT_EQ(head.checksum, expected.checksum);
-    EXPECT_EQ(checksum(head, std::span(bytes).subspan(expected.at + used, expected.bytes)), expected.checksum);
+    EXPECT_EQ(checksum(head, std::span(bytes).subspan(expected.at + used, expected.bytes)),
+              expected.checksum);
   }
 }
 
@@ -113,15 +121,22 @@ TEST(FormatDocument, itsExampleDecodes) {
 }
 
 TEST(FormatDocument, itsDecisionsAreAsItSays) {
-  constexpr std::array<std::pair<bool, uint32_t>, 7> kDecisions{
-      {{true, 32768}, {false, 16384}, {true, 65512}, {false, 60000}, {true, 24}, {false, 65512}, {true, 1000}}};
+  constexpr std::array<std::pair<bool, uint32_t>, 7> kDecisions{{{true, 32768},
+                                                                 {false, 16384},
+                                                                 {true, 65512},
+                                                                 {false, 60000},
+                                                                 {true, 24},
+                                                                 {false, 65512},
+                                                                 {true, 1000}}};
   Bytes bytes;
   RangeEncoder encoder(bytes);
   for (const auto& [actual, probability] : kDecisions) encoder.bit(actual, probability);
   encoder.finish();
-  EXPECT_EQ(bytes, (Bytes{std::byte{0x77}, std::byte{0xDB}, std::byte{0x5A}, std::byte{0xB5}, std::byte{0xC4}}));
+  EXPECT_EQ(bytes, (Bytes{std::byte{0x77}, std::byte{0xDB}, std::byte{0x5A}, std::byte{0xB5},
+                          std::byte{0xC4}}));
   RangeDecoder decoder(bytes);
-  for (const auto& [actual, probability] : kDecisions) EXPECT_EQ(decoder.bit(false, probability), actual);
+  for (const auto& [actual, probability] : kDecisions)
+    EXPECT_EQ(decoder.bit(false, probability), actual);
   EXPECT_EQ(decoder.overrun(), 3u);
 }
 

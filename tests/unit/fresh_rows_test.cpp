@@ -9,7 +9,8 @@ namespace {
 
 template <class Dimension>
 class NewVertexRowsTest : public testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(NewVertexRowsTest, Dimensions);
 
 template <int D>
@@ -21,7 +22,8 @@ std::vector<Coordinates<D>> boxes() {
 
 /// How many of a diamond's vertices are positive, and how many there are, by the definition.
 template <int D>
-std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v, unsigned newAxes) {
+std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v,
+                                       unsigned newAxes) {
   int positives = 0, all = 0;
   Coordinates<D> low, high;
   low.fill(-1);
@@ -55,7 +57,9 @@ void forEachNewMember(const Signs<D>& signs, const Signs<D>& absent, Visit visit
         EXPECT_EQ(std::popcount(unsigned{row.newAxes}), dimension);
         for (uint32_t members = row.members; members != 0; members &= members - 1) {
           const int x = std::countr_zero(members);
-          visit(vertexOf<D>(signs.table().brick(brickIndex), row.brick * std::size_t{kBrickSide} + static_cast<std::size_t>(x)), row, x);
+          visit(vertexOf<D>(signs.table().brick(brickIndex),
+                            row.brick * std::size_t{kBrickSide} + static_cast<std::size_t>(x)),
+                row, x);
         }
       }
     }
@@ -66,22 +70,26 @@ TYPED_TEST(NewVertexRowsTest, areOpenAndAbsentAsTheirDiamondsSay) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Lattice<D> lattice(box, 1);
-    const DenseSigns<D> gone(lattice, [](const Coordinates<D>& v) { return scrambled<D>(v, 9) % 30 == 0; });
+    const DenseSigns<D> gone(lattice,
+                             [](const Coordinates<D>& v) { return scrambled<D>(v, 9) % 30 == 0; });
     uint64_t expected = 0;
-    forVertices(lattice, [&](const Coordinates<D>& v) { expected += lattice.newAxes(v) != 0 ? 1 : 0; });
+    forVertices(lattice,
+                [&](const Coordinates<D>& v) { expected += lattice.newAxes(v) != 0 ? 1 : 0; });
     for (const auto& field : signFields<D>(box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(box));
       const DenseSigns<D> actual(lattice, field.positive);
       uint64_t seen = 0;
-      forEachNewMember(actual.bricks(), gone.bricks(), [&](const Coordinates<D>& v, const auto& row, int x) {
-        const unsigned newAxes = lattice.newAxes(v);
-        const auto [positives, all] = positivesOfDiamond<D>(actual, v, newAxes);
-        const bool absent = positivesOfDiamond<D>(gone, v, newAxes).first != 0;
-        EXPECT_EQ(newAxes, row.newAxes) << testing::PrintToString(v);
-        EXPECT_EQ((row.absent >> x & 1) != 0, absent) << testing::PrintToString(v);
-        EXPECT_EQ((row.open >> x & 1) != 0, !absent && positives != 0 && positives != all) << testing::PrintToString(v);
-        ++seen;
-      });
+      forEachNewMember(
+          actual.bricks(), gone.bricks(), [&](const Coordinates<D>& v, const auto& row, int x) {
+            const unsigned newAxes = lattice.newAxes(v);
+            const auto [positives, all] = positivesOfDiamond<D>(actual, v, newAxes);
+            const bool absent = positivesOfDiamond<D>(gone, v, newAxes).first != 0;
+            EXPECT_EQ(newAxes, row.newAxes) << testing::PrintToString(v);
+            EXPECT_EQ((row.absent >> x & 1) != 0, absent) << testing::PrintToString(v);
+            EXPECT_EQ((row.open >> x & 1) != 0, !absent && positives != 0 && positives != all)
+                << testing::PrintToString(v);
+            ++seen;
+          });
       EXPECT_EQ(seen, expected);
     }
   }

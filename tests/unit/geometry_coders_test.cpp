@@ -1,6 +1,6 @@
+#include "coding/geometry/exponent_coder.h"
 #include "coding/geometry/magnitude_coder.h"
 #include "grid/refined_signs.h"
-#include "coding/geometry/exponent_coder.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,9 @@ struct WholeField {
   [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
     return magnitudeAt(vertex(brickIndex, r, x));
   }
-  [[nodiscard]] int gradient(std::size_t brickIndex) const { return brickIndex % 3 == 0 ? steepest : 37; }
+  [[nodiscard]] int gradient(std::size_t brickIndex) const {
+    return brickIndex % 3 == 0 ? steepest : 37;
+  }
   [[nodiscard]] bool selected(std::size_t brickIndex) const { return brickIndex % 2 == 0; }
 
   BrickTable<D> table;
@@ -52,12 +54,17 @@ std::vector<Named<D>> wholeFields() {
     for (int32_t x : v) squares += (x - 8) * (x - 8);
     return 40 - squares;
   };
-  return {
-      {"ball", [=](const auto& v) { return 10 * ball(v); }},
-      {"bits", [=](const auto& v) { return ball(v) > 0 ? 1 : 0; }},
-      {"noise", [](const auto& v) { return static_cast<int32_t>(scrambled<D>(v, 7) % 2001) - 1000; }},
-      {"large", [=](const auto& v) { return (ball(v) > 0 ? 1 : -1) * static_cast<int32_t>(scrambled<D>(v, 9) >> 36); }},
-      {"all scales", [=](const auto& v) { return (ball(v) > 0 ? 1 : -1) * (int32_t{1} << scrambled<D>(v, 8) % 29); }}};
+  return {{"ball", [=](const auto& v) { return 10 * ball(v); }},
+          {"bits", [=](const auto& v) { return ball(v) > 0 ? 1 : 0; }},
+          {"noise",
+           [](const auto& v) { return static_cast<int32_t>(scrambled<D>(v, 7) % 2001) - 1000; }},
+          {"large",
+           [=](const auto& v) {
+             return (ball(v) > 0 ? 1 : -1) * static_cast<int32_t>(scrambled<D>(v, 9) >> 36);
+           }},
+          {"all scales", [=](const auto& v) {
+             return (ball(v) > 0 ? 1 : -1) * (int32_t{1} << scrambled<D>(v, 8) % 29);
+           }}};
 }
 
 /// What one side knows, and the passes told one after the other.
@@ -76,8 +83,7 @@ template <int D>
 bool equal(const Side<D>& a, const Side<D>& b) {
   for (std::size_t brickIndex = 0; brickIndex < a.active.size(); ++brickIndex) {
     if (a.scalars.has(brickIndex) != b.scalars.has(brickIndex)) return false;
-    if (a.scalars.at(brickIndex).value != b.scalars.at(brickIndex).value)
-      return false;
+    if (a.scalars.at(brickIndex).value != b.scalars.at(brickIndex).value) return false;
   }
   return true;
 }
@@ -88,7 +94,8 @@ class Coding {
  public:
   Coding(const Coordinates<D>& box, typename WholeField<D>::Value value)
       : field_(Lattice<D>(box, 1), std::move(value)),
-        signs_(DenseSigns<D>(Lattice<D>(box, 1), [&](const auto& v) { return field_.value(v) > 0; }).bricks()),
+        signs_(DenseSigns<D>(Lattice<D>(box, 1), [&](const auto& v) { return field_.value(v) > 0; })
+                   .bricks()),
         mine_(signs_),
         theirs_(signs_) {}
 
@@ -97,9 +104,11 @@ class Coding {
       side.exponents.code(exchange, side.signs, side.scalars, members, depth, side.active);
     });
   }
-  void magnitudePass(Members members, const typename MagnitudeCoder<D>::Allowed& allowed, int most, bool selective) {
+  void magnitudePass(Members members, const typename MagnitudeCoder<D>::Allowed& allowed, int most,
+                     bool selective) {
     pass([=](auto& exchange, Side<D>& side) {
-      side.magnitudes.code(exchange, side.signs, side.scalars, {members, allowed, most, selective}, side.active);
+      side.magnitudes.code(exchange, side.signs, side.scalars, {members, allowed, most, selective},
+                           side.active);
     });
   }
 
@@ -113,7 +122,8 @@ class Coding {
       if (theirs_.active[brickIndex] == 0) continue;
       tube.enter(signs_, brickIndex, members);
       tube.forEach([&](int, std::size_t r, int x) {
-        visit(field_.vertex(brickIndex, r, x), theirs_.scalars.at(brickIndex), r * kBrickSide + static_cast<std::size_t>(x));
+        visit(field_.vertex(brickIndex, r, x), theirs_.scalars.at(brickIndex),
+              r * kBrickSide + static_cast<std::size_t>(x));
       });
     }
   }
@@ -123,7 +133,8 @@ class Coding {
       ASSERT_TRUE(brick.knows(at));
       const uint32_t actual = field_.magnitudeAt(v);
       ASSERT_LE(brick.low(at), actual) << testing::PrintToString(v);
-      ASSERT_LT(actual, brick.low(at) + (uint64_t{1} << brick.width(at))) << testing::PrintToString(v);
+      ASSERT_LT(actual, brick.low(at) + (uint64_t{1} << brick.width(at)))
+          << testing::PrintToString(v);
       ASSERT_EQ(brick.value[at] > 0, field_.value(v) > 0);
     });
   }
@@ -136,7 +147,8 @@ class Coding {
         auto next = v;
         if (++next[a] > signs_.lattice().last[a] || signs_.at(v) == signs_.at(next)) continue;
         const double here = brick.middle(at), there = middleAt(next);
-        const double trueHere = 2.0 * field_.magnitudeAt(v) + 1, trueThere = 2.0 * field_.magnitudeAt(next) + 1;
+        const double trueHere = 2.0 * field_.magnitudeAt(v) + 1,
+                     trueThere = 2.0 * field_.magnitudeAt(next) + 1;
         most = std::max(most, std::abs(here / (here + there) - trueHere / (trueHere + trueThere)));
       }
     });
@@ -197,7 +209,8 @@ TYPED_TEST(GeometryCoderTest, intervalsHoldTheTruthAfterEachPass) {
       }
       for (uint32_t allowed : {8000u, 1000u}) {
         for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
-          coding.magnitudePass(members, alike<D>(allowed), allowed == 8000 ? 2 : 30, allowed == 1000);
+          coding.magnitudePass(members, alike<D>(allowed), allowed == 8000 ? 2 : 30,
+                               allowed == 1000);
           coding.expectActualInside(members);
         }
       }
@@ -229,7 +242,8 @@ TYPED_TEST(GeometryCoderTest, whereNothingMayMoveAllIsTold) {
       coding.expectActualInside(members);
     }
     EXPECT_LE(coding.furthest(), 0x1p-18);
-    if (field.name == "large" || field.name == "all scales") continue;  // more bits than a single-precision vertex has
+    if (field.name == "large" || field.name == "all scales")
+      continue;  // more bits than a single-precision vertex has
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       coding.forMembers(members, [&](const Coordinates<D>& v, const auto& brick, std::size_t at) {
         EXPECT_EQ(brick.width(at), 0) << testing::PrintToString(v);
@@ -255,19 +269,23 @@ TYPED_TEST(GeometryCoderTest, randomAnswersAreAlwaysSomeScalars) {
   for (uint64_t seed = 0; seed < 24; ++seed) {
     const double rate = std::array{0.5, 0.05, 0.98, 1.0}[seed % 4];
     const int depth = static_cast<int>(seed / 4 % 3) * 4;
-    const auto signs = DenseSigns<D>(Lattice<D>(box<D>(), 1), signFields<D>(box<D>())[seed % 6].positive).bricks();
+    const auto signs =
+        DenseSigns<D>(Lattice<D>(box<D>(), 1), signFields<D>(box<D>())[seed % 6].positive).bricks();
     Side<D> mine(signs), theirs(signs);
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       auto exponents = [&](auto& exchange, Side<D>& side) {
         side.exponents.code(exchange, signs, side.scalars, members, depth, side.active);
       };
       auto magnitudePass = [&](auto& exchange, Side<D>& side) {
-        side.magnitudes.code(exchange, signs, side.scalars, {members, alike<D>(static_cast<uint32_t>(seed) * 100), 30, seed % 2 == 0}, side.active);
+        side.magnitudes.code(
+            exchange, signs, side.scalars,
+            {members, alike<D>(static_cast<uint32_t>(seed) * 100), 30, seed % 2 == 0}, side.active);
       };
       const auto first = thrown<D>(seed, rate, [&](auto& exchange) { exponents(exchange, mine); });
       ASSERT_TRUE(decoded<D>(first, [&](auto& exchange) { exponents(exchange, theirs); }));
       ASSERT_TRUE(equal(mine, theirs)) << "seed " << seed;
-      const auto second = thrown<D>(seed, rate, [&](auto& exchange) { magnitudePass(exchange, mine); });
+      const auto second =
+          thrown<D>(seed, rate, [&](auto& exchange) { magnitudePass(exchange, mine); });
       ASSERT_TRUE(decoded<D>(second, [&](auto& exchange) { magnitudePass(exchange, theirs); }));
       ASSERT_TRUE(equal(mine, theirs)) << "seed " << seed;
     }

@@ -43,14 +43,16 @@ TEST(Lattice, finerKeepsEachPlane) {
         EXPECT_LT(coarse.sample(0, parent), fine.sample(0, plane));
         ASSERT_LT(parent, coarse.last[0]) << "a fresh plane has one after it";
         EXPECT_GT(coarse.sample(0, parent + 1), fine.sample(0, plane));
-        EXPECT_EQ(fine.sample(0, plane - 1), coarse.sample(0, parent)) << "its neighbours are not fresh";
+        EXPECT_EQ(fine.sample(0, plane - 1), coarse.sample(0, parent))
+            << "its neighbours are not fresh";
         EXPECT_EQ(fine.sample(0, plane + 1), coarse.sample(0, parent + 1));
       } else {
         EXPECT_EQ(coarse.sample(0, parent), fine.sample(0, plane));
         EXPECT_TRUE(parents.insert(parent).second);
       }
     }
-    EXPECT_EQ(static_cast<int32_t>(parents.size()), coarse.last[0] + 1) << "each plane of the coarser octave goes on";
+    EXPECT_EQ(static_cast<int32_t>(parents.size()), coarse.last[0] + 1)
+        << "each plane of the coarser octave goes on";
   });
 }
 
@@ -58,7 +60,8 @@ TEST(Lattice, chainsEndAtTheSourcesGrid) {
   forEachAxis([](Lattice<1> lattice) {
     while (lattice.step > 1) lattice = lattice.finer();
     EXPECT_EQ(lattice.last, lattice.box);
-    for (int32_t plane = 0; plane <= lattice.last[0]; ++plane) EXPECT_EQ(lattice.sample(0, plane), plane);
+    for (int32_t plane = 0; plane <= lattice.last[0]; ++plane)
+      EXPECT_EQ(lattice.sample(0, plane), plane);
   });
 }
 

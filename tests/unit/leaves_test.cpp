@@ -9,8 +9,8 @@ namespace {
 
 template <class Dimension>
 class LeavesTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(LeavesTest, Dimensions);
 
 template <int D, class Visit>
@@ -47,11 +47,14 @@ TYPED_TEST(LeavesTest, boxesCrossWhereTheirSamplesDo) {
       for (int a = 0; a < D; ++a) {
         const auto dice = scrambled<D>(box, seed * 8 + static_cast<uint64_t>(a));
         lowest[a] = static_cast<int32_t>(dice % static_cast<uint64_t>(box[a] + 1));
-        highest[a] = std::min(box[a], lowest[a] + static_cast<int32_t>((dice >> 32) % (seed % 2 == 0 ? 3 : 14)));
+        highest[a] = std::min(
+            box[a], lowest[a] + static_cast<int32_t>((dice >> 32) % (seed % 2 == 0 ? 3 : 14)));
       }
       std::array<bool, 2> seen{};
-      forEachSample<D>(lowest, highest, [&](const Coordinates<D>& v) { seen[field.positive(v) ? 1 : 0] = true; });
-      EXPECT_EQ(crossesBetween(signs, lowest, highest), seen[0] && seen[1]) << field.name << ", seed " << seed;
+      forEachSample<D>(lowest, highest,
+                       [&](const Coordinates<D>& v) { seen[field.positive(v) ? 1 : 0] = true; });
+      EXPECT_EQ(crossesBetween(signs, lowest, highest), seen[0] && seen[1])
+          << field.name << ", seed " << seed;
     }
   }
 }
@@ -64,13 +67,15 @@ TYPED_TEST(LeavesTest, theTubeIsAllCrossingLeaves) {
     const auto signs = signsOf<D>(box, field);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices added;
-    for (const auto& v : {someBox<D>(), Coordinates<D>{1, 3}, Coordinates<D>{4, 2}}) mesh.split(v, added);
+    for (const auto& v : {someBox<D>(), Coordinates<D>{1, 3}, Coordinates<D>{4, 2}})
+      mesh.split(v, added);
     std::size_t tube = 0, crossing = 0;
     forEachCrossingLeaf(mesh, signs, [&](const TaggedSimplex<D>& leaf) {
       ++tube;
       EXPECT_TRUE(crosses(signs, hierarchy, leaf));
     });
-    forEachLeaf(mesh, [&](const TaggedSimplex<D>& leaf) { crossing += crosses(signs, hierarchy, leaf); });
+    forEachLeaf(mesh,
+                [&](const TaggedSimplex<D>& leaf) { crossing += crosses(signs, hierarchy, leaf); });
     EXPECT_EQ(tube, crossing) << field.name;
   }
 }

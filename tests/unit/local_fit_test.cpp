@@ -23,7 +23,9 @@ void forEachOf(ScalarWindow<D>& window, Visit visit) {
   for (std::size_t i = 0; i < window.value.size(); ++i) {
     Offset<D> offset;
     std::size_t digits = i;
-    for (int a = 0; a < D; ++a, digits /= kBrickSide + 2) offset[static_cast<std::size_t>(a)] = static_cast<int>(digits % (kBrickSide + 2)) - 1 - kBrickSide / 2;
+    for (int a = 0; a < D; ++a, digits /= kBrickSide + 2)
+      offset[static_cast<std::size_t>(a)] =
+          static_cast<int>(digits % (kBrickSide + 2)) - 1 - kBrickSide / 2;
     visit(offset, window.value[i]);
   }
 }
@@ -34,7 +36,8 @@ ScalarWindow<D> sampledWindow(Field field, int log2Width) {
   ScalarWindow<D> window;
   forEachOf<D>(window, [&](const Offset<D>& offset, int32_t& value) {
     const auto whole = static_cast<int64_t>(std::floor(std::abs(field(offset))));
-    const auto middle = static_cast<int32_t>(2 * (whole >> log2Width << log2Width) + (int64_t{1} << log2Width));
+    const auto middle =
+        static_cast<int32_t>(2 * (whole >> log2Width << log2Width) + (int64_t{1} << log2Width));
     value = field(offset) > 0 ? middle : -middle;
   });
   return window;
@@ -50,7 +53,9 @@ LocalFit<D> fitAtMiddle(const ScalarWindow<D>& scalars, bool positive) {
 }
 
 /// Scaled, a step's gradient is 2^14: in steps.
-double steps(int32_t magnitude) { return magnitude / 16384.0; }
+double steps(int32_t magnitude) {
+  return magnitude / 16384.0;
+}
 
 template <int D>
 void expectLinearFieldsFound() {
@@ -79,7 +84,9 @@ TEST(LocalFit, findsLinearFields) {
 }
 
 TEST(LocalFit, seesWhatIsMissingOnOneSide) {
-  const auto linear = [](const Offset<3>& offset) { return 1500.0 + 3000 * offset[0] - 2000 * offset[2]; };
+  const auto linear = [](const Offset<3>& offset) {
+    return 1500.0 + 3000 * offset[0] - 2000 * offset[2];
+  };
   auto scalars = sampledWindow<3>(linear, 2);
   forEachOf<3>(scalars, [](const Offset<3>& offset, int32_t& value) {
     if (offset[0] > 0 || (offset[1] > 0 && offset[2] > 0)) value = Scalars<3>::kUnknown;
@@ -90,7 +97,9 @@ TEST(LocalFit, seesWhatIsMissingOnOneSide) {
 }
 
 TEST(LocalFit, followsWhatIsBent) {
-  const auto ball = [](const Offset<3>& offset) { return 4096 * (12.3 - std::hypot(offset[0] + 7, offset[1] + 5, offset[2] + 8.5)); };
+  const auto ball = [](const Offset<3>& offset) {
+    return 4096 * (12.3 - std::hypot(offset[0] + 7, offset[1] + 5, offset[2] + 8.5));
+  };
   const double here = 12.3 - std::hypot(7, 5, 8.5);
   const auto fit = fitAtMiddle<3>(sampledWindow<3>(ball, 4), here > 0);
   EXPECT_GT(std::abs(steps(fit.level) - std::abs(here)), 0.02);
@@ -108,12 +117,19 @@ using Extreme = std::function<int32_t(std::mt19937& random, int sign)>;
 
 /// The largest numbers there are, of the narrowest and the widest intervals, and any bits.
 const std::vector<Extreme> kExtremes{
-    [](std::mt19937& random, int) { return std::max(static_cast<int32_t>(random()), -INT32_MAX) | 1; },
+    [](std::mt19937& random, int) {
+      return std::max(static_cast<int32_t>(random()), -INT32_MAX) | 1;
+    },
     [](std::mt19937&, int sign) { return sign * INT32_MAX; },
     [](std::mt19937&, int sign) { return sign * (1 << 29); },
     [](std::mt19937& random, int sign) { return random() % 2 != 0 ? sign * (1 << 30) : sign; },
-    [](std::mt19937& random, int sign) { return random() % 3 != 0 ? Scalars<3>::kUnknown : sign * (3 << 28); },
-    [](std::mt19937& random, int sign) { return random() % 4 != 0 ? Scalars<3>::kUnknown : sign * static_cast<int32_t>(1u << random() % 31); },
+    [](std::mt19937& random, int sign) {
+      return random() % 3 != 0 ? Scalars<3>::kUnknown : sign * (3 << 28);
+    },
+    [](std::mt19937& random, int sign) {
+      return random() % 4 != 0 ? Scalars<3>::kUnknown
+                               : sign * static_cast<int32_t>(1u << random() % 31);
+    },
 };
 
 /// Fits at each vertex of a brick; signs alternate from vertex to vertex, or are thrown.
@@ -126,7 +142,8 @@ void expectWithinNumbers(int rounds) {
   for (int n = 0; n < rounds; ++n) {
     for (const Extreme& extreme : kExtremes) {
       forEachOf<D>(scalars, [&](const Offset<D>& offset, int32_t& value) {
-        const bool odd = n % 2 == 0 ? std::accumulate(offset.begin(), offset.end(), 0) % 2 != 0 : random() % 2 != 0;
+        const bool odd = n % 2 == 0 ? std::accumulate(offset.begin(), offset.end(), 0) % 2 != 0
+                                    : random() % 2 != 0;
         value = extreme(random, odd ? 1 : -1);
       });
       for (const int gradient : {0, 3, 40, 4 * 31, kNoGradient}) {
@@ -134,7 +151,8 @@ void expectWithinNumbers(int rounds) {
         for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
           for (int x = 0; x < kBrickSide; ++x) {
             const auto fit = LocalFit<D>::of(window, r, x, n % 3 == 0);
-            ASSERT_TRUE(fit.level >= 0 && fit.level <= 2 * FitWindow<D>::kMost && fit.bent >= 0 && fit.bent <= 2 * FitWindow<D>::kMost);
+            ASSERT_TRUE(fit.level >= 0 && fit.level <= 2 * FitWindow<D>::kMost && fit.bent >= 0 &&
+                        fit.bent <= 2 * FitWindow<D>::kMost);
           }
         }
       }

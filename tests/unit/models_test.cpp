@@ -9,7 +9,8 @@ namespace isostar {
 namespace {
 
 template <class Coder>
-void mix(Coder& coder, bool actual, const std::array<BitModel*, 3>& contexts, Mixer<3>::Weights& weights) {
+void mix(Coder& coder, bool actual, const std::array<BitModel*, 3>& contexts,
+         Mixer<3>::Weights& weights) {
   EXPECT_EQ((Mixer<3>::bit<255, 12>(coder, actual, contexts, weights)), actual);
 }
 
@@ -132,7 +133,9 @@ TEST(Mixer, believesAnEstimateAtOnceAndMoreWhenItIsRight) {
   DecodingSide decodingSide;
   const std::array<BitModel*, 3> contexts{&a, &b, &c};
   Mixer<3>::bit<255, 12>(decodingSide, true, contexts, weights, 512);
-  EXPECT_NEAR(decodingSide.probability, kProbabilityOne / (1 + std::exp(-1.0)), kProbabilityOne / 200.0) << "half of the estimate's log-odds";
+  EXPECT_NEAR(decodingSide.probability, kProbabilityOne / (1 + std::exp(-1.0)),
+              kProbabilityOne / 200.0)
+      << "half of the estimate's log-odds";
   std::mt19937_64 random(3);
   Meter meter;
   constexpr int kDecisions = 4000;

@@ -12,8 +12,8 @@ namespace {
 
 template <class Dimension>
 class NeighbourhoodTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(NeighbourhoodTest, Dimensions);
 
 /// The offset of a vertex that a step stands for; it is unique within two planes.
@@ -32,7 +32,8 @@ Coordinates<D> offset(const Step& step) {
 }
 
 template <int D>
-std::set<Coordinates<D>> offsets(const std::array<Step, Neighbourhood<D>::kMost>& steps, int from, int count) {
+std::set<Coordinates<D>> offsets(const std::array<Step, Neighbourhood<D>::kMost>& steps, int from,
+                                 int count) {
   std::set<Coordinates<D>> all;
   for (int i = from; i < from + count; ++i)
     EXPECT_TRUE(all.insert(offset<D>(steps[static_cast<std::size_t>(i)])).second);
@@ -71,8 +72,10 @@ TYPED_TEST(NeighbourhoodTest, diamondsHoldVerticesOfEarlierClassesOnly) {
   for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
     const Neighbourhood<D> n(newAxes);
     const int mine = __builtin_popcount(newAxes);
-    for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount)) EXPECT_EQ(classOf<D>(newAxes, d), 0);
-    for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount)) EXPECT_GT(classOf<D>(newAxes, d), mine);
+    for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount))
+      EXPECT_EQ(classOf<D>(newAxes, d), 0);
+    for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount))
+      EXPECT_GT(classOf<D>(newAxes, d), mine);
   }
 }
 
@@ -82,8 +85,8 @@ TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndCameBefore) {
     const Neighbourhood<D> n(newAxes);
     for (const auto& d : offsets<D>(n.siblings, 0, n.siblingCount)) {
       EXPECT_EQ(classOf<D>(newAxes, d), __builtin_popcount(newAxes));
-      EXPECT_TRUE(
-          std::lexicographical_compare(d.rbegin(), d.rend(), Coordinates<D>{}.rbegin(), Coordinates<D>{}.rend()));
+      EXPECT_TRUE(std::lexicographical_compare(d.rbegin(), d.rend(), Coordinates<D>{}.rbegin(),
+                                               Coordinates<D>{}.rend()));
     }
   }
 }
@@ -112,7 +115,8 @@ TYPED_TEST(NeighbourhoodTest, slicesAndMasksSeeNothingAndAll) {
   for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
     const N n(newAxes);
     auto weight = [&](const RowPacks<D>& packs) {
-      return N::unpacked(packs.diamond(n.slices, kAt)).weight + static_cast<int>(packs.count(n.farMask, kAt)) * N::kFarOne +
+      return N::unpacked(packs.diamond(n.slices, kAt)).weight +
+             static_cast<int>(packs.count(n.farMask, kAt)) * N::kFarOne +
              static_cast<int>(packs.count(n.outerMask, kAt)) * N::kOuterOne;
     };
     EXPECT_EQ(weight(none), 0);

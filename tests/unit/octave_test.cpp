@@ -26,7 +26,8 @@ void expectRefined(const Coordinates<D>& box) {
 }
 
 TEST(Octave, refinedHasTheParentsSigns) {
-  for (int32_t last = 0; last < 40; ++last) expectRefined<2>({last, 37 - last > 0 ? 37 - last : last});
+  for (int32_t last = 0; last < 40; ++last)
+    expectRefined<2>({last, 37 - last > 0 ? 37 - last : last});
   expectRefined<3>({16, 33, 5});
   expectRefined<3>({7, 7, 7});
   expectRefined<3>({0, 21, 1});
@@ -34,8 +35,8 @@ TEST(Octave, refinedHasTheParentsSigns) {
   expectRefined<4>({9, 4, 17, 3});
 }
 
-/// Of the vertices as bricks keep them, also beyond the lattice: does the brick hold both signs, or touch a vertex of a
-/// sign that it lacks?
+/// Of the vertices as bricks keep them, also beyond the lattice: does the brick hold both signs, or
+/// touch a vertex of a sign that it lacks?
 template <int D>
 bool activeByForce(const Signs<D>& signs, const Coordinates<D>& brick) {
   bool positive = false, negative = false;
@@ -68,7 +69,8 @@ void expectActive(const Coordinates<D>& box) {
       signs.set(v, field.positive(inside));
     });
     Signs<D> shared(signs.lattice());
-    for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) shared.put(brickIndex, signs.brickAt(brickIndex));
+    for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex)
+      shared.put(brickIndex, signs.brickAt(brickIndex));
     const auto active = activeBricks(shared);
     ASSERT_EQ(active.size(), shared.table().total());
     for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
@@ -101,7 +103,8 @@ TEST(Octave, eachPairOfUniformBricks) {
       signs.setUniform(b, Signs<2>::kPositive);
       const auto active = activeBricks(signs);
       for (std::size_t brickIndex = 0; brickIndex < 36; ++brickIndex)
-        ASSERT_EQ(active[brickIndex] != 0, activeByForce<2>(signs, signs.table().brick(brickIndex))) << a << ' ' << b;
+        ASSERT_EQ(active[brickIndex] != 0, activeByForce<2>(signs, signs.table().brick(brickIndex)))
+            << a << ' ' << b;
     }
   }
 }

@@ -28,12 +28,14 @@ double metered(const Decisions& decisions) {
   return meter.bits();
 }
 
-/// Decodes what was encoded from a buffer of its very length, so that the address sanitizer sees an overrun.
+/// Decodes what was encoded from a buffer of its very length, so that the address sanitizer sees an
+/// overrun.
 void expectRoundTrip(const Decisions& decisions) {
   const auto bytes = encoded(decisions);
   RangeDecoder decoder(bytes);
   for (std::size_t i = 0; i < decisions.size(); ++i) {
-    ASSERT_EQ(decoder.bit(!decisions[i].actual, decisions[i].probability), decisions[i].actual) << "decision " << i;
+    ASSERT_EQ(decoder.bit(!decisions[i].actual, decisions[i].probability), decisions[i].actual)
+        << "decision " << i;
   }
   EXPECT_LE(decoder.overrun(), 8u);
   EXPECT_LE(static_cast<double>(bytes.size()),
@@ -60,7 +62,8 @@ TEST(RangeCoder, anyProbabilities) {
 
 TEST(RangeCoder, eachFixedProbability) {
   for (uint32_t probability :
-       {kLeastProbability, 100u, 1000u, kProbabilityOne / 3, kProbabilityOne / 2, kProbabilityOne - 1000, kProbabilityOne - kLeastProbability}) {
+       {kLeastProbability, 100u, 1000u, kProbabilityOne / 3, kProbabilityOne / 2,
+        kProbabilityOne - 1000, kProbabilityOne - kLeastProbability}) {
     expectRoundTrip(drawn(20000, probability, [&](auto&) { return probability; }));
   }
 }
@@ -71,28 +74,32 @@ TEST(RangeCoder, expectationsThatFailEachTime) {
 }
 
 TEST(RangeCoder, expectationsThatHoldEachTimeCostNearlyNothing) {
-  for (const Decision d : {Decision{true, kProbabilityOne - kLeastProbability}, Decision{false, kLeastProbability}}) {
+  for (const Decision d :
+       {Decision{true, kProbabilityOne - kLeastProbability}, Decision{false, kLeastProbability}}) {
     const Decisions decisions(20000, d);
     expectRoundTrip(decisions);
     EXPECT_LE(encoded(decisions).size(), 6u);
   }
 }
 
-/// Decisions after which the interval still holds one half in its inside: all bytes written so far may yet change by a
-/// carry.
+/// Decisions after which the interval still holds one half in its inside: all bytes written so far
+/// may yet change by a carry.
 class OnTheFence {
  public:
   explicit OnTheFence(uint64_t seed) : random_(seed) {}
 
   void stay() {
-    const uint32_t probability = kLeastProbability + static_cast<uint32_t>(random_() % (kProbabilityOne - 2 * kLeastProbability + 1));
+    const uint32_t probability =
+        kLeastProbability +
+        static_cast<uint32_t>(random_() % (kProbabilityOne - 2 * kLeastProbability + 1));
     const uint32_t split = (range_ >> 16) * probability;
     if (half_ == split) return;
     code(half_ < split, probability);
   }
   /// The interval's upper part, above one half: the carry comes; or its lower part: it does not.
   void jump(bool up) {
-    for (uint32_t probability = kLeastProbability; probability <= kProbabilityOne - kLeastProbability; ++probability) {
+    for (uint32_t probability = kLeastProbability;
+         probability <= kProbabilityOne - kLeastProbability; ++probability) {
       const uint32_t split = (range_ >> 16) * probability;
       if (up ? split > half_ : split + (range_ >> 16) > half_) return code(!up, probability);
     }
@@ -109,7 +116,8 @@ class OnTheFence {
   }
 
   std::mt19937_64 random_;
-  uint32_t range_ = 0xFFFFFFFFu, half_ = 0x80000000u;  // as the coder's, and where one half lies in it
+  uint32_t range_ = 0xFFFFFFFFu,
+           half_ = 0x80000000u;  // as the coder's, and where one half lies in it
   Decisions decisions_;
 };
 
@@ -134,7 +142,8 @@ TEST(RangeCoder, carriesThroughLongRuns) {
 TEST(RangeCoder, shortRunsOfAllKinds) {
   for (int length = 0; length <= 12; ++length) {
     for (unsigned bits = 0; bits < 1u << length; ++bits) {
-      for (uint32_t probability : {kLeastProbability, kProbabilityOne / 2, kProbabilityOne - kLeastProbability}) {
+      for (uint32_t probability :
+           {kLeastProbability, kProbabilityOne / 2, kProbabilityOne - kLeastProbability}) {
         Decisions decisions;
         for (int i = 0; i < length; ++i) decisions.push_back({(bits >> i & 1) != 0, probability});
         const auto bytes = encoded(decisions);
@@ -151,7 +160,8 @@ TEST(RangeCoder, nothingIsNoBytes) {
 
 TEST(RangeCoder, trailingZerosAreLeftOut) {
   EXPECT_TRUE(encoded(Decisions(7, {true, kProbabilityOne / 2})).empty());
-  EXPECT_LE(encoded(Decisions(40, {true, kProbabilityOne / 2})).size(), 40u / 8) << "no more than what the decisions cost";
+  EXPECT_LE(encoded(Decisions(40, {true, kProbabilityOne / 2})).size(), 40u / 8)
+      << "no more than what the decisions cost";
   std::vector<std::byte> out(5, std::byte{0});
   RangeEncoder(out).finish();
   EXPECT_EQ(out.size(), 5u) << "what stood before belongs to others";
@@ -186,13 +196,16 @@ TEST(RangeCoder, anyBytesDecode) {
     for (auto& b : noise) b = static_cast<std::byte>(random());
     RangeDecoder decoder(noise);
     for (int i = 0; i < 2000; ++i)
-      (void)decoder.bit(false, static_cast<uint32_t>(kLeastProbability + random() % (kProbabilityOne - 2 * kLeastProbability + 1)));
+      (void)decoder.bit(
+          false, static_cast<uint32_t>(kLeastProbability +
+                                       random() % (kProbabilityOne - 2 * kLeastProbability + 1)));
   }
 }
 
 TEST(RangeCoder, meterAgreesWithTheSize) {
   for (uint64_t seed = 0; seed < 10; ++seed) {
-    const auto decisions = drawn(30000, seed, [](auto& r) { return kLeastProbability + r() % 65000; });
+    const auto decisions =
+        drawn(30000, seed, [](auto& r) { return kLeastProbability + r() % 65000; });
     EXPECT_NEAR(static_cast<double>(encoded(decisions).size()), metered(decisions) / 8, 5);
   }
 }

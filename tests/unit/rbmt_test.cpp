@@ -17,7 +17,8 @@ class Drawing {
                std::string(static_cast<std::size_t>(2 * mesh.hierarchy().box()[0] + 1), ' ')) {
     forEachLeaf(mesh, [&](const TaggedSimplex<2>& leaf) {
       for (int i = 0; i < 3; ++i)
-        edge(mesh.hierarchy().position(leaf.vertices[i]), mesh.hierarchy().position(leaf.vertices[(i + 1) % 3]));
+        edge(mesh.hierarchy().position(leaf.vertices[i]),
+             mesh.hierarchy().position(leaf.vertices[(i + 1) % 3]));
     });
     forEachLeaf(mesh, [&](const TaggedSimplex<2>& leaf) {
       for (const auto& v : leaf.vertices) at(mesh.hierarchy().position(v), 2) = 'o';
@@ -86,7 +87,8 @@ o-------o-------o
 }
 
 TEST(Rbmt, refinementPropagates) {
-  // A vertex on the common side of both cells needs their small cells beside it, hence their middles.
+  // A vertex on the common side of both cells needs their small cells beside it, hence their
+  // middles.
   EXPECT_EQ(Drawing(meshWith(Hierarchy<2>({8, 4}, 2), {{7, 1}, {4, 1}})).text(), R"(
 o---o---o---o---o
 |\  |\ /|\ /|\ /|
@@ -121,8 +123,8 @@ o-------o---o---o
 }
 
 TEST(Rbmt, beyondTheBoxVerticesLieAtItsEnd) {
-  // A box of 5 by 2 steps, cells of 4: the right cell ends after a step, both after two. Of the four triangles around
-  // the left cell's middle the one below is flat.
+  // A box of 5 by 2 steps, cells of 4: the right cell ends after a step, both after two. Of the
+  // four triangles around the left cell's middle the one below is flat.
   const Hierarchy<2> hierarchy({5, 2}, 2);
   EXPECT_EQ(Drawing(meshWith(hierarchy, {{2, 2}})).text(), R"(
 o-------o-o

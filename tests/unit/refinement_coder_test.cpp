@@ -11,14 +11,15 @@ namespace {
 template <int D>
 std::vector<Coordinates<D>> boxes() {
   if constexpr (D == 2) return {{1, 1}, {2, 5}, {7, 8}, {16, 17}, {31, 9}, {40, 33}, {1, 30}};
-  if constexpr (D == 3) return {{1, 1, 1}, {2, 2, 2}, {5, 7, 3}, {8, 15, 16}, {17, 9, 25}, {1, 12, 33}};
+  if constexpr (D == 3)
+    return {{1, 1, 1}, {2, 2, 2}, {5, 7, 3}, {8, 15, 16}, {17, 9, 25}, {1, 12, 33}};
   if constexpr (D == 4) return {{1, 1, 1, 1}, {2, 3, 4, 5}, {9, 4, 3, 2}};
 }
 
 template <class Dimension>
 class RefinementCoderTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(RefinementCoderTest, Dimensions);
 
 /// One side of the hierarchy.
@@ -45,7 +46,8 @@ TYPED_TEST(RefinementCoderTest, eachOctaveIsTheSources) {
       while (step > 1) {
         step /= 2;
         const DenseSigns<D> actual(Lattice<D>(box, step), field.positive);
-        const auto bytes = coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
+        const auto bytes =
+            coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
         ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
         ASSERT_EQ(DenseSigns<D>(mine.signs), actual) << "step " << step;
         ASSERT_EQ(DenseSigns<D>(theirs.signs), actual) << "step " << step;
@@ -92,7 +94,8 @@ TEST(RefinementCoder, aUniformOctaveCostsNearlyNothing) {
   const Coordinates<3> box{255, 255, 255};
   const Signs<3> uniform{Lattice<3>(box, 1)};
   Side<3> side{Signs<3>(Lattice<3>(box, 2))};
-  EXPECT_LE(coded(uniform, NoScalars(), [&](auto& exchange) { side.refine(exchange); }).size(), 30u);
+  EXPECT_LE(coded(uniform, NoScalars(), [&](auto& exchange) { side.refine(exchange); }).size(),
+            30u);
 }
 
 TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
@@ -100,13 +103,14 @@ TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
   const Coordinates<3> box{63, 63, 63};
   auto field = [](const Coordinates<3>& v) {
     if (v[2] < 4) return true;
-    return v == Coordinates<3>{33, 33, 33} || v == Coordinates<3>{51, 19, 40} || v == Coordinates<3>{62, 63, 63} ||
-           v == Coordinates<3>{9, 56, 32};
+    return v == Coordinates<3>{33, 33, 33} || v == Coordinates<3>{51, 19, 40} ||
+           v == Coordinates<3>{62, 63, 63} || v == Coordinates<3>{9, 56, 32};
   };
   const DenseSigns<3> actual(Lattice<3>(box, 1), field);
   Side<3> mine{DenseSigns<3>(Lattice<3>(box, 2), field).bricks()};
   Side<3> theirs{mine.signs};
-  const auto bytes = coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
+  const auto bytes =
+      coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
   ASSERT_TRUE(decoded<3>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
   EXPECT_EQ(DenseSigns<3>(theirs.signs), actual);
 }

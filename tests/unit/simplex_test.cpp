@@ -32,8 +32,8 @@ std::set<Coordinates<D>> faceOf(const Simplex<D>& s, int opposite) {
 
 template <class Dimension>
 class SimplexTest : public testing::Test {};
-using Dimensions =
-    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>, std::integral_constant<int, 4>>;
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                  std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(SimplexTest, Dimensions);
 
 TYPED_TEST(SimplexTest, numberAndPlaceAreInverse) {
@@ -46,7 +46,8 @@ TYPED_TEST(SimplexTest, numberAndPlaceAreInverse) {
     EXPECT_LT(s.rank(), Simplex<D>::perCell());
     EXPECT_TRUE(all.insert(verticesOf(s)).second) << "simplex " << n << " exists twice";
     for (int i = 0; i <= D; ++i) {
-      for (int a = 0; a < D; ++a) ASSERT_TRUE(s.vertex(i)[a] >= 0 && s.vertex(i)[a] <= lattice.last[a]);
+      for (int a = 0; a < D; ++a)
+        ASSERT_TRUE(s.vertex(i)[a] >= 0 && s.vertex(i)[a] <= lattice.last[a]);
     }
   }
 }
@@ -89,13 +90,15 @@ TYPED_TEST(SimplexTest, acrossAFaceIsTheOneOtherSimplexThatHasIt) {
 TYPED_TEST(SimplexTest, tilesEachCell) {
   constexpr int D = TypeParam::value;
   const auto lattice = smallLattice<D>();
-  // A point lies in the simplex whose order of axes sorts its distances from the even corner, falling.
+  // A point lies in the simplex whose order of axes sorts its distances from the even corner,
+  // falling.
   for (std::size_t n = 0; n < Simplex<D>::count(lattice); n += Simplex<D>::perCell()) {
     std::set<std::array<int8_t, D>> orders;
     for (std::size_t i = n; i < n + Simplex<D>::perCell(); ++i) {
       const auto s = Simplex<D>::at(i, lattice);
       EXPECT_EQ(s.cell(), Simplex<D>::at(n, lattice).cell());
-      EXPECT_EQ(s.vertex(0), Simplex<D>::at(n, lattice).vertex(0)) << "all share the cell's diagonal";
+      EXPECT_EQ(s.vertex(0), Simplex<D>::at(n, lattice).vertex(0))
+          << "all share the cell's diagonal";
       EXPECT_EQ(s.vertex(D), Simplex<D>::at(n, lattice).vertex(D));
       orders.insert(s.axes);
     }

@@ -1,4 +1,5 @@
-// Smoothing brings scalars of smooth fields nearer to the truth, within their intervals, and rough ones hardly farther.
+// Smoothing brings scalars of smooth fields nearer to the truth, within their intervals, and rough
+// ones hardly farther.
 #include "estimate/dequantization.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,8 @@
 namespace isostar {
 namespace {
 
-constexpr int kGradient = 4 * 10, kFloor = 7;  // 2^10 quanta a step; octaves from an eighth of it on
+constexpr int kGradient = 4 * 10,
+              kFloor = 7;  // 2^10 quanta a step; octaves from an eighth of it on
 
 /// A brick's scalars within a step and a half of the surface, known to octaves.
 template <class Field>
@@ -35,13 +37,16 @@ double rmsError(const Scalars<3>& scalars, int finer, Field field) {
   int count = 0;
   for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
     if (!scalars.at(0).knows(v)) continue;
-    const double error = std::ldexp(scalars.at(0).value[v], -finer - 1) / 1024 - field(vertexOf<3>({}, v));
+    const double error =
+        std::ldexp(scalars.at(0).value[v], -finer - 1) / 1024 - field(vertexOf<3>({}, v));
     sum += error * error, ++count;
   }
   return std::sqrt(sum / count);
 }
 
-double ball(const Coordinates<3>& v) { return 9.4 - std::hypot(v[0] + 3.1, v[1] + 1.7, v[2] + 2.2); }
+double ball(const Coordinates<3>& v) {
+  return 9.4 - std::hypot(v[0] + 3.1, v[1] + 1.7, v[2] + 2.2);
+}
 
 TEST(Dequantization, bringsSmoothFieldsNearer) {
   const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
@@ -58,7 +63,8 @@ TEST(Dequantization, bringsSmoothFieldsNearer) {
       ASSERT_EQ(shown.at(0).knows(v), coded.at(0).knows(v));
       if (!coded.at(0).knows(v)) continue;
       EXPECT_EQ(shown.at(0).value[v] > 0, coded.at(0).value[v] > 0);
-      EXPECT_LT(std::abs(std::ldexp(shown.at(0).value[v], -finer) - coded.at(0).value[v]), 1 << coded.at(0).width(v));
+      EXPECT_LT(std::abs(std::ldexp(shown.at(0).value[v], -finer) - coded.at(0).value[v]),
+                1 << coded.at(0).width(v));
     }
   }
 }
@@ -68,7 +74,8 @@ TEST(Dequantization, makesRoughFieldsNoWorse) {
   std::mt19937 random(3);
   std::vector<double> noise(Scalars<3>::kVertices);
   for (double& n : noise) n = std::uniform_real_distribution<double>(-1.4, 1.4)(random);
-  const Scalars<3> coded = codedOf(table, [&](const Coordinates<3>& v) { return noise[numberOf<3>(v)]; });
+  const Scalars<3> coded =
+      codedOf(table, [&](const Coordinates<3>& v) { return noise[numberOf<3>(v)]; });
   const auto field = [&](const Coordinates<3>& v) { return noise[numberOf<3>(v)]; };
   Scalars<3> shown = coded;
   const double before = rmsError(shown, 0, field);

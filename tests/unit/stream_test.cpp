@@ -90,7 +90,8 @@ TEST(Header, ofASmallImageIsSmall) {
 
 TEST(Header, asFewOctavesAsTheBaseAllows) {
   Header h;
-  for (const auto& [side, finestLevel] : {std::pair{1, 0}, {5, 0}, {6, 1}, {9, 1}, {10, 2}, {(1 << 28) - 1, 26}}) {
+  for (const auto& [side, finestLevel] :
+       {std::pair{1, 0}, {5, 0}, {6, 1}, {9, 1}, {10, 2}, {(1 << 28) - 1, 26}}) {
     h.size = {2, side, 3, 1};
     EXPECT_EQ(h.finestLevel(), finestLevel) << side;
     EXPECT_LE(h.base<3>().last[1], Header::kMostBaseCells);
@@ -166,7 +167,8 @@ TEST(LayerHead, comesBack) {
   Header header;
   header.size = {129, 1, 1, 1};
   for (uint64_t length : {uint64_t{0}, uint64_t{127}, uint64_t{128}, (uint64_t{1} << 63) - 1}) {
-    const LayerHead head{LayerKind::Magnitudes, 5, 0.01, length, length < 1024 ? 0xBEEF : 0xDEADBEEF};
+    const LayerHead head{LayerKind::Magnitudes, 5, 0.01, length,
+                         length < 1024 ? 0xBEEF : 0xDEADBEEF};
     const Bytes bytes = written(head);
     LayerHead back;
     std::size_t used = 0;
@@ -188,7 +190,8 @@ TEST(LayerHead, errorsKeepFivePercent) {
   for (double error = 2e-6; error < 900; error *= 1.37) {
     LayerHead back;
     std::size_t used = 0;
-    ASSERT_EQ(read(written(LayerHead{LayerKind::Base, 0, error, 0, 0}), header, back, used), Error::None);
+    ASSERT_EQ(read(written(LayerHead{LayerKind::Base, 0, error, 0, 0}), header, back, used),
+              Error::None);
     EXPECT_NEAR(back.error, error, 0.05 * error);
   }
   LayerHead none;
@@ -202,7 +205,8 @@ TEST(LayerHead, aLevelThatTheHeaderLacksIsCorrupt) {
   header.size = {17, 1, 1, 1};
   LayerHead back;
   std::size_t used = 0;
-  EXPECT_EQ(read(written(LayerHead{LayerKind::Refinement, 3, 0, 0, 0}), header, back, used), Error::Corrupt);
+  EXPECT_EQ(read(written(LayerHead{LayerKind::Refinement, 3, 0, 0, 0}), header, back, used),
+            Error::Corrupt);
 }
 
 TEST(Checksum, isThatOfXxHash32) {
@@ -216,8 +220,9 @@ TEST(Checksum, ofALayerCoversItsHead) {
     const auto bytes = std::span(layer).first(length);
     const uint32_t sum = checksum(head, bytes);
     EXPECT_EQ(sum < 0x10000, length == 10);
-    for (const LayerHead& other : {LayerHead{LayerKind::Exponents, 3, 0.25}, LayerHead{LayerKind::Refinement, 4, 0.25},
-                                   LayerHead{LayerKind::Refinement, 3, 0.3}}) {
+    for (const LayerHead& other :
+         {LayerHead{LayerKind::Exponents, 3, 0.25}, LayerHead{LayerKind::Refinement, 4, 0.25},
+          LayerHead{LayerKind::Refinement, 3, 0.3}}) {
       EXPECT_NE(checksum(other, bytes), sum);
     }
   }

@@ -27,7 +27,8 @@ std::vector<std::byte> coded(const Signs<D>& actual, const Field& field, Code co
   return bytes;
 }
 
-/// Hears what was told, from a copy of the bytes in its very size. False where more was read than written.
+/// Hears what was told, from a copy of the bytes in its very size. False where more was read than
+/// written.
 template <int D, class Code>
 [[nodiscard]] bool decoded(const std::vector<std::byte>& bytes, Code code) {
   const std::vector<std::byte> copy(bytes);
@@ -38,11 +39,12 @@ template <int D, class Code>
   return !exchange.exhausted();
 }
 
-/// An encoder that answers at random: whatever a valid stream may say. `rate` of 1: as the models expect; else so often
-/// yes.
+/// An encoder that answers at random: whatever a valid stream may say. `rate` of 1: as the models
+/// expect; else so often yes.
 class Dice {
  public:
-  Dice(std::vector<std::byte>& out, uint64_t seed, double rate) : encoder_(out), random_(seed), rate_(rate) {}
+  Dice(std::vector<std::byte>& out, uint64_t seed, double rate)
+      : encoder_(out), random_(seed), rate_(rate) {}
   bool bit(bool, uint32_t probability) {
     const auto limit = static_cast<uint64_t>(rate_ == 1 ? probability : rate_ * kProbabilityOne);
     return encoder_.bit(random_() % kProbabilityOne < limit, probability);
@@ -68,7 +70,8 @@ std::vector<std::byte> thrown(uint64_t seed, double rate, Code code) {
     [[nodiscard]] uint32_t keptRow(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
     [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
-    [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&, const std::vector<bool>&) const {
+    [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&,
+                                                     const std::vector<bool>&) const {
       return std::nullopt;
     }
   };

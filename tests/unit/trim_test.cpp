@@ -17,27 +17,31 @@ Mesh square(uint32_t n) {
   Mesh mesh;
   for (uint32_t y = 0; y <= n; ++y)
     for (uint32_t x = 0; x <= n; ++x) {
-      mesh.positions.insert(mesh.positions.end(), {static_cast<float>(x), static_cast<float>(y), 0});
+      mesh.positions.insert(mesh.positions.end(),
+                            {static_cast<float>(x), static_cast<float>(y), 0});
       mesh.normals.insert(mesh.normals.end(), {0, 0, 1});
     }
   for (uint32_t y = 0; y < n; ++y)
     for (uint32_t x = 0; x < n; ++x) {
       const uint32_t v = y * (n + 1) + x;
-      mesh.triangles.insert(mesh.triangles.end(), {v, v + 1, v + n + 2, v, v + n + 2, v + n + 1});
+      mesh.indices.insert(mesh.indices.end(), {v, v + 1, v + n + 2, v, v + n + 2, v + n + 1});
     }
   return mesh;
 }
 template <class Function>
 std::vector<float> valuesOn(const Mesh& mesh, Function function) {
   std::vector<float> values;
-  for (uint32_t i = 0; i < verticesOf(mesh); ++i) values.push_back(static_cast<float>(function(pointAt(mesh.positions, i))));
+  for (uint32_t i = 0; i < verticesOf(mesh); ++i)
+    values.push_back(static_cast<float>(function(pointAt(mesh.positions, i))));
   return values;
 }
 double area(const Mesh& mesh) {
   double sum = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    const Point a = pointAt(mesh.positions, mesh.triangles[t]);
-    sum += cross(minus(pointAt(mesh.positions, mesh.triangles[t + 1]), a), minus(pointAt(mesh.positions, mesh.triangles[t + 2]), a))[2] / 2;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+    const Point a = pointAt(mesh.positions, mesh.indices[t]);
+    sum += cross(minus(pointAt(mesh.positions, mesh.indices[t + 1]), a),
+                 minus(pointAt(mesh.positions, mesh.indices[t + 2]), a))[2] /
+           2;
   }
   return sum;
 }
@@ -60,9 +64,9 @@ TEST(Trim, allOrNothing) {
   Mesh mesh = whole;
   ASSERT_EQ(trim(std::vector<float>(16, 0.0f), kNone, mesh), Error::None);
   EXPECT_EQ(mesh.positions, whole.positions);
-  EXPECT_EQ(mesh.triangles, whole.triangles);
+  EXPECT_EQ(mesh.indices, whole.indices);
   ASSERT_EQ(trim(std::vector<float>(16, -1.0f), kNone, mesh), Error::None);
-  EXPECT_TRUE(mesh.positions.empty() && mesh.normals.empty() && mesh.triangles.empty());
+  EXPECT_TRUE(mesh.positions.empty() && mesh.normals.empty() && mesh.indices.empty());
   ASSERT_EQ(trim({}, kNone, mesh), Error::None);
 }
 

@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "sign_fields.h"
 #include "grid/simplex.h"
+#include "sign_fields.h"
 
 namespace isostar {
 namespace {

@@ -14,7 +14,8 @@ double squared(const std::array<double, 3>& v) {
 }
 
 /// The middle of each crossing edge, which lies within half a step of the vertex.
-std::vector<std::array<double, 3>> middles(const Signs<3>& signs, const std::array<double, 3>& unit) {
+std::vector<std::array<double, 3>> middles(const Signs<3>& signs,
+                                           const std::array<double, 3>& unit) {
   std::vector<std::array<double, 3>> all;
   const auto& lattice = signs.lattice();
   forVertices(lattice, [&](const Coordinates<3>& v) {
@@ -22,7 +23,8 @@ std::vector<std::array<double, 3>> middles(const Signs<3>& signs, const std::arr
       auto next = v;
       if (++next[a] > lattice.last[a] || signs.at(next) == signs.at(v)) continue;
       std::array<double, 3> p;
-      for (int b = 0; b < 3; ++b) p[b] = (lattice.sample(b, v[b]) + lattice.sample(b, next[b])) / 2.0 * unit[b];
+      for (int b = 0; b < 3; ++b)
+        p[b] = (lattice.sample(b, v[b]) + lattice.sample(b, next[b])) / 2.0 * unit[b];
       all.push_back(p);
     }
   });
@@ -41,11 +43,13 @@ TEST(VertexCloud, findsTheNearestVertex) {
       ASSERT_EQ(cloud.empty(), edges.empty()) << field.name;
       for (int i = 0; i < 50 && !edges.empty(); ++i) {
         std::array<double, 3> p;
-        for (int a = 0; a < 3; ++a) p[a] = static_cast<double>(random() % 1000) / 1000 * box[a] * unit[a];
+        for (int a = 0; a < 3; ++a)
+          p[a] = static_cast<double>(random() % 1000) / 1000 * box[a] * unit[a];
         double nearest = 1e30;
         for (const auto& edge : edges)
           nearest = std::min(nearest, squared({edge[0] - p[0], edge[1] - p[1], edge[2] - p[2]}));
-        EXPECT_NEAR(std::sqrt(squared(cloud.toNearest(p))), std::sqrt(nearest), step / 2.0 * 2 + 1e-9)
+        EXPECT_NEAR(std::sqrt(squared(cloud.toNearest(p))), std::sqrt(nearest),
+                    step / 2.0 * 2 + 1e-9)
             << field.name << ", step " << step;
       }
     }

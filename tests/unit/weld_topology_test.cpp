@@ -5,7 +5,8 @@
 namespace isostar {
 namespace {
 
-/// The vertex whose edge runs along the first axis, in the middle of a box; `link` gives the signs around the edge.
+/// The vertex whose edge runs along the first axis, in the middle of a box; `link` gives the signs
+/// around the edge.
 template <int D, class Link>
 bool keepsInTheMiddle(bool vertex, bool evenEnd, bool oddEnd, Link link) {
   Coordinates<D> box, v;
@@ -23,7 +24,9 @@ bool keepsInTheMiddle(bool vertex, bool evenEnd, bool oddEnd, Link link) {
 
 TEST(WeldTopology, anEdgeCrossedAtMostOnceMayGo) {
   for (unsigned signs = 0; signs < 256; ++signs) {
-    auto any = [&](const Coordinates<3>& o) { return (signs >> ((o[1] + 1) * 3 + o[2] + 1) % 8 & 1) != 0; };
+    auto any = [&](const Coordinates<3>& o) {
+      return (signs >> ((o[1] + 1) * 3 + o[2] + 1) % 8 & 1) != 0;
+    };
     for (bool vertex : {false, true}) {
       EXPECT_TRUE(keepsInTheMiddle<3>(vertex, vertex, vertex, any));
       EXPECT_TRUE(keepsInTheMiddle<3>(vertex, !vertex, vertex, any));
@@ -33,9 +36,12 @@ TEST(WeldTopology, anEdgeCrossedAtMostOnceMayGo) {
 }
 
 TEST(WeldTopology, aSaddleInThePlane) {
-  EXPECT_FALSE(keepsInTheMiddle<2>(false, true, true, [](const auto&) { return false; })) << "a bridge";
-  EXPECT_FALSE(keepsInTheMiddle<2>(false, true, true, [](const auto&) { return true; })) << "a hole";
-  EXPECT_TRUE(keepsInTheMiddle<2>(false, true, true, [](const auto& o) { return o[1] > 0; })) << "a dent";
+  EXPECT_FALSE(keepsInTheMiddle<2>(false, true, true, [](const auto&) { return false; }))
+      << "a bridge";
+  EXPECT_FALSE(keepsInTheMiddle<2>(false, true, true, [](const auto&) { return true; }))
+      << "a hole";
+  EXPECT_TRUE(keepsInTheMiddle<2>(false, true, true, [](const auto& o) { return o[1] > 0; }))
+      << "a dent";
 }
 
 TEST(WeldTopology, anEdgeCrossedTwiceInSpace) {
@@ -44,29 +50,35 @@ TEST(WeldTopology, anEdgeCrossedTwiceInSpace) {
   EXPECT_FALSE(keeps([](const auto&) { return true; })) << "a bubble";
   EXPECT_FALSE(keeps([](const auto& o) { return o[1] != 0; })) << "a tunnel";
   EXPECT_TRUE(keeps([](const auto& o) { return o[1] > 0; })) << "a dent";
-  EXPECT_TRUE(keeps([](const auto& o) { return o[1] == 1 && o[2] == 1; })) << "one vertex holds the ends together";
+  EXPECT_TRUE(keeps([](const auto& o) { return o[1] == 1 && o[2] == 1; }))
+      << "one vertex holds the ends together";
 }
 
 TEST(WeldTopology, oneEulerCharacteristicIsNotEnoughInFourDimensions) {
-  // Around the edge is a sphere: a cap, two rings and a cap of changing signs have Euler characteristics 1 + 0 and 0
+  // Around the edge is a sphere: a cap, two rings and a cap of changing signs have Euler
+  // characteristics 1 + 0 and 0
   // + 1.
   auto caps = [](const Coordinates<4>& o) {
     const bool middle = o[1] == 0 && o[2] == 0;
     return o[3] == 0 || (o[3] == 1 && middle);
   };
   EXPECT_FALSE(keepsInTheMiddle<4>(false, true, true, caps));
-  EXPECT_TRUE(keepsInTheMiddle<4>(false, true, true, [](const Coordinates<4>& o) { return o[3] > 0; }));
+  EXPECT_TRUE(
+      keepsInTheMiddle<4>(false, true, true, [](const Coordinates<4>& o) { return o[3] > 0; }));
 }
 
 TEST(WeldTopology, atTheEndOfTheBox) {
-  // x = 2 is the last sample of a cell up to 4. The cell's middle lies in the box's end; so do the corners beyond.
+  // x = 2 is the last sample of a cell up to 4. The cell's middle lies in the box's end; so do the
+  // corners beyond.
   const Hierarchy<3> hierarchy({2, 4, 4}, 2);
   const Coordinates<3> v{2, 2, 2};
   EXPECT_TRUE(weldKeepsTopology(hierarchy, v, [](const Coordinates<3>& u) { return u[0] >= 2; }));
-  EXPECT_FALSE(weldKeepsTopology(hierarchy, v, [&](const Coordinates<3>& u) { return u == v || u[0] < 2; }))
-      << "a way out";
+  EXPECT_FALSE(weldKeepsTopology(hierarchy, v, [&](const Coordinates<3>& u) {
+    return u == v || u[0] < 2;
+  })) << "a way out";
   // A vertex that lies where its edge's end does changes nothing.
-  EXPECT_TRUE(weldKeepsTopology(hierarchy, {2, 0, 0}, [](const Coordinates<3>& u) { return u[0] >= 2 && u[1] == 0; }));
+  EXPECT_TRUE(weldKeepsTopology(hierarchy, {2, 0, 0},
+                                [](const Coordinates<3>& u) { return u[0] >= 2 && u[1] == 0; }));
 }
 
 }  // namespace

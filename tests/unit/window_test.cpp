@@ -7,9 +7,11 @@
 namespace isostar {
 namespace {
 
-/// Compares each vertex of a brick's window that lies within the halo of one of the brick's own vertices.
+/// Compares each vertex of a brick's window that lies within the halo of one of the brick's own
+/// vertices.
 template <int D>
-void expectWindow(const DenseSigns<D>& dense, const Window<D>& window, const Coordinates<D>& brick) {
+void expectWindow(const DenseSigns<D>& dense, const Window<D>& window,
+                  const Coordinates<D>& brick) {
   const auto& lattice = dense.lattice();
   constexpr int kHalo = Window<D>::kHalo;
   Coordinates<D> d;
@@ -22,7 +24,8 @@ void expectWindow(const DenseSigns<D>& dense, const Window<D>& window, const Coo
       looked = looked && v[a] <= lattice.last[a] + kHalo;
     }
     if (looked) {
-      const bool found = (window.rows[static_cast<std::size_t>(Window<D>::row(d))] >> (d[0] + kHalo) & 1) != 0;
+      const bool found =
+          (window.rows[static_cast<std::size_t>(Window<D>::row(d))] >> (d[0] + kHalo) & 1) != 0;
       ASSERT_EQ(found, dense.mirroredAt(v))
           << testing::PrintToString(v) << " in brick " << testing::PrintToString(brick);
     }

@@ -8,8 +8,9 @@
 
 namespace isostar::bench {
 
-/// Displacements along normals, plane of bits after plane: which of them are as large as the plane's step, their signs,
-/// and halves of the intervals of those that were before. Neighbours say what to expect.
+/// Displacements along normals, plane of bits after plane: which of them are as large as the
+/// plane's step, their signs, and halves of the intervals of those that were before. Neighbours say
+/// what to expect.
 class DisplacementCoder {
  public:
   explicit DisplacementCoder(const DualSurface& surface)
@@ -17,8 +18,8 @@ class DisplacementCoder {
     for (auto& w : weights_) w = Mixer<3>::initialWeights();
   }
 
-  /// truth(vertex) in the surface's unit; what is farther than two steps of the first plane is told as that far.
-  /// Goes no further when spent() says that the bytes are used up.
+  /// truth(vertex) in the surface's unit; what is farther than two steps of the first plane is told
+  /// as that far. Goes no further when spent() says that the bytes are used up.
   template <class Coder, class Actual, class Spent>
   void code(Coder& coder, int plane, Actual actual, Spent exhausted) {
     const double step = stepOf(plane);
@@ -37,12 +38,12 @@ class DisplacementCoder {
       const double real = actual(v);
       const int steps = std::min(static_cast<int>(std::abs(real) / step), (2 << plane) - 1);
       const auto bit = [&](Kind kind, bool value, double where) {
-        const auto near =
-            static_cast<size_t>(std::clamp(static_cast<int>(std::floor(4 * where)) + kNear / 2, 0, kNear - 1));
+        const auto near = static_cast<size_t>(
+            std::clamp(static_cast<int>(std::floor(4 * where)) + kNear / 2, 0, kNear - 1));
         const auto p = static_cast<size_t>(plane);
         const std::array<BitModel*, 3> contexts{&byExpected_[kind][near][std::min<size_t>(p, 7)],
-                                              &byNeighbours_[kind][large][std::min<size_t>(p, 7)],
-                                              &byBoth_[kind][near][large]};
+                                                &byNeighbours_[kind][large][std::min<size_t>(p, 7)],
+                                                &byBoth_[kind][near][large]};
         return Mixer<3>::bit<127, 12>(coder, value, contexts, weights_[kind]);
       };
       if (known.steps == 0) {
@@ -54,7 +55,8 @@ class DisplacementCoder {
         const double along = known.negative ? -expected : expected;
         known.steps += bit(kHalf, (steps & 1) != 0, along - known.steps - 1) ? 1 : 0;
       }
-      values_[v] = known.steps == 0 ? 0 : (known.steps + kMiddle) * step * (known.negative ? -1 : 1);
+      values_[v] =
+          known.steps == 0 ? 0 : (known.steps + kMiddle) * step * (known.negative ? -1 : 1);
     }
   }
 
@@ -68,7 +70,8 @@ class DisplacementCoder {
     int steps = 0;
     bool negative = false;
   };
-  static constexpr double kMiddle = 0.47;  // of an interval: small displacements are more frequent than large ones
+  static constexpr double kMiddle =
+      0.47;  // of an interval: small displacements are more frequent than large ones
   static constexpr int kNear = 24;
 
   const DualSurface& surface_;

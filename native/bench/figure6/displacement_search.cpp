@@ -10,15 +10,17 @@ namespace {
 
 double displacement(const measure::TriangleTree& surface, const DualSurface::Point& from,
                     const DualSurface::Point& normal) {
-  // Spheres of the free distance lead to the surface. Of two places as near to it the one nearer to the vertex is
-  // taken.
+  // Spheres of the free distance lead to the surface. Of two places as near to it the one nearer to
+  // the vertex is taken.
   constexpr double kFarthest = 1.5, kThere = 1e-3, kTie = 1e-2;
   double best = 0, nearest = INFINITY;
   uint32_t near = 0;
   for (double side : {1.0, -1.0}) {
     for (double t = 0; t < kFarthest;) {
-      const double free = surface.distance(
-          {from[0] + side * t * normal[0], from[1] + side * t * normal[1], from[2] + side * t * normal[2]}, near);
+      const double free =
+          surface.distance({from[0] + side * t * normal[0], from[1] + side * t * normal[1],
+                            from[2] + side * t * normal[2]},
+                           near);
       if (free + kTie * t < nearest) {
         nearest = free + kTie * t;
         best = side * t;

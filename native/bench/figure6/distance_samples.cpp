@@ -31,8 +31,8 @@ float DistanceSamples::distance(const Coordinates<3>& sample) const {
   return std::max(static_cast<float>(surface_.distance(point, near_)), kLeast);
 }
 
-/// A crossing lies where the samples have it if distances are samples times one factor at both ends: the factors'
-/// logarithms are smoothed along crossing edges.
+/// A crossing lies where the samples have it if distances are samples times one factor at both
+/// ends: the factors' logarithms are smoothed along crossing edges.
 void DistanceSamples::agreeWithSamples() {
   constexpr int kRounds = 24;
   constexpr double kLeast = 1e-9;
@@ -43,7 +43,9 @@ void DistanceSamples::agreeWithSamples() {
   std::vector<size_t> ends;
   std::vector<float> factor(known_.size()), sum(known_.size());
   std::vector<uint8_t> degree(known_.size(), 1);  // by sample, itself included
-  const auto size = [&](size_t end) { return std::max(std::abs(volume_.samples[end] - isovalue_), kLeast); };
+  const auto size = [&](size_t end) {
+    return std::max(std::abs(volume_.samples[end] - isovalue_), kLeast);
+  };
   const auto add = [&](const Coordinates<3>& v) {
     const size_t end = place(v);
     if (degree[end]++ > 1) return end;
@@ -69,7 +71,8 @@ void DistanceSamples::agreeWithSamples() {
     for (const Edge& e : edges) sum[e.from] += factor[e.to], sum[e.to] += factor[e.from];
     for (size_t end : ends) factor[end] = sum[end] / static_cast<float>(degree[end]);
   }
-  for (size_t end : ends) known_[end] = static_cast<float>(size(end) * std::exp(double{factor[end]}));
+  for (size_t end : ends)
+    known_[end] = static_cast<float>(size(end) * std::exp(double{factor[end]}));
 }
 
 }  // namespace isostar::bench

@@ -9,13 +9,15 @@
 
 namespace isostar::bench {
 
-/// Scalars chosen anew (§6): the distance of a sample to the source's surface in grid steps, with the sample's own
-/// sign, computed when asked for. At both ends of a crossing edge they are changed so that they place the crossing
-/// nearly where the samples do.
+/// Scalars chosen anew (§6): the distance of a sample to the source's surface in grid steps, with
+/// the sample's own sign, computed when asked for. At both ends of a crossing edge they are changed
+/// so that they place the crossing nearly where the samples do.
 class DistanceSamples {
  public:
-  /// `surface` is the source's, in grid steps; without triangles it is next to every sample. All must outlive it.
-  DistanceSamples(const Volume& volume, double isovalue, const Signs<3>& signs, const measure::TriangleTree& surface);
+  /// `surface` is the source's, in grid steps; without triangles it is next to every sample. All
+  /// must outlive it.
+  DistanceSamples(const Volume& volume, double isovalue, const Signs<3>& signs,
+                  const measure::TriangleTree& surface);
   DistanceSamples(const DistanceSamples&) = delete;  // it is as large as the volume
 
   double operator()(const Coordinates<3>& sample) const;

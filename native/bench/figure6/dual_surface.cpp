@@ -34,7 +34,8 @@ class Cells {
  private:
   [[nodiscard]] size_t place(const Coordinates<3>& cell) const {
     size_t at = 0;
-    for (int a = 2; a >= 0; --a) at = at * static_cast<size_t>(lattice_.last[a] + 2) + static_cast<size_t>(cell[a] + 1);
+    for (int a = 2; a >= 0; --a)
+      at = at * static_cast<size_t>(lattice_.last[a] + 2) + static_cast<size_t>(cell[a] + 1);
     return at;
   }
 
@@ -43,10 +44,13 @@ class Cells {
   std::vector<uint32_t> vertexOf_;
 };
 
-/// Calls visit(lower end, axis, sign there) for each edge with ends of both signs. A flat grid has no cells and none.
+/// Calls visit(lower end, axis, sign there) for each edge with ends of both signs. A flat grid has
+/// no cells and none.
 template <class Visit>
-void forEachCrossing(const Lattice<3>& lattice, const DualSurface::Positive& positive, Visit visit) {
-  if (std::any_of(lattice.last.begin(), lattice.last.end(), [](int32_t last) { return last == 0; })) return;
+void forEachCrossing(const Lattice<3>& lattice, const DualSurface::Positive& positive,
+                     Visit visit) {
+  if (std::any_of(lattice.last.begin(), lattice.last.end(), [](int32_t last) { return last == 0; }))
+    return;
   for (Coordinates<3> v{}; v[2] <= lattice.last[2]; ++v[2]) {
     for (v[1] = 0; v[1] <= lattice.last[1]; ++v[1]) {
       for (v[0] = 0; v[0] <= lattice.last[0]; ++v[0]) {
@@ -79,7 +83,8 @@ DualSurface::DualSurface(const Lattice<3>& lattice, const Point& unit, const Pos
       if (vertex == positions_.size()) {
         positions_.push_back({});
         crossings.push_back(0);
-        cells_.push_back({cells.corner(cell), cells.corner({cell[0] + 1, cell[1] + 1, cell[2] + 1})});
+        cells_.push_back(
+            {cells.corner(cell), cells.corner({cell[0] + 1, cell[1] + 1, cell[2] + 1})});
       }
       ++crossings[vertex];
       for (size_t a = 0; a < 3; ++a) positions_[vertex][a] += (from[a] + to[a]) / 2;
@@ -89,7 +94,8 @@ DualSurface::DualSurface(const Lattice<3>& lattice, const Point& unit, const Pos
   });
   for (size_t v = 0; v < positions_.size(); ++v) {
     for (size_t a = 0; a < 3; ++a)
-      positions_[v][a] = std::clamp(positions_[v][a] / crossings[v], cells_[v].low[a], cells_[v].high[a]);
+      positions_[v][a] =
+          std::clamp(positions_[v][a] / crossings[v], cells_[v].low[a], cells_[v].high[a]);
   }
   link();
   relax(kRelaxations);
@@ -122,7 +128,8 @@ void DualSurface::relax(int rounds) {
       });
       const double count = firstNeighbour_[v + 1] - firstNeighbour_[v];
       for (size_t a = 0; a < 3; ++a)
-        moved[v][a] = std::clamp(0.5 * (positions_[v][a] + sum[a] / count), cells_[v].low[a], cells_[v].high[a]);
+        moved[v][a] = std::clamp(0.5 * (positions_[v][a] + sum[a] / count), cells_[v].low[a],
+                                 cells_[v].high[a]);
     }
     positions_ = std::move(moved);
   }
@@ -158,13 +165,15 @@ Mesh DualSurface::mesh(const std::vector<double>& displacements) const {
   }
   const auto squaredLength = [&](uint32_t v, uint32_t w) {
     double sum = 0;
-    for (size_t a = 0; a < 3; ++a) sum += std::pow(mesh.positions[3 * v + a] - mesh.positions[3 * w + a], 2);
+    for (size_t a = 0; a < 3; ++a)
+      sum += std::pow(mesh.positions[3 * v + a] - mesh.positions[3 * w + a], 2);
     return sum;
   };
   for (const auto& quad : quads_) {
-    const size_t first =
-        squaredLength(quad[0], quad[2]) <= squaredLength(quad[1], quad[3]) ? 0 : 1;  // the shorter diagonal's
-    for (size_t corner : {0, 1, 2, 0, 2, 3}) mesh.triangles.push_back(quad[(first + corner) % 4]);
+    const size_t first = squaredLength(quad[0], quad[2]) <= squaredLength(quad[1], quad[3])
+                             ? 0
+                             : 1;  // the shorter diagonal's
+    for (size_t corner : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(quad[(first + corner) % 4]);
   }
   return mesh;
 }

@@ -4,15 +4,17 @@
 #include <functional>
 #include <vector>
 
-#include "isostar/isostar.h"
 #include "grid/lattice.h"
+#include "isostar/isostar.h"
 
 namespace isostar::bench {
 
-/// A surface with a vertex for each crossing cell and a quadrangle for each crossing edge (dual contouring), made of
-/// signs alone: vertices are relaxed within their cells (S. Gibson, Constrained elastic surface nets, 1998).
+/// A surface with a vertex for each crossing cell and a quadrangle for each crossing edge (dual
+/// contouring), made of signs alone: vertices are relaxed within their cells (S. Gibson,
+/// Constrained elastic surface nets, 1998).
 ///
-/// Cells of no width at the box's end hold the vertices that lie in the end, so that the surface reaches it.
+/// Cells of no width at the box's end hold the vertices that lie in the end, so that the surface
+/// reaches it.
 class DualSurface {
  public:
   using Point = std::array<double, 3>;
@@ -29,7 +31,8 @@ class DualSurface {
   /// Calls visit(vertex) for those that share an edge with a vertex; some twice.
   template <class Visit>
   void forEachNeighbour(size_t vertex, Visit visit) const {
-    for (uint32_t i = firstNeighbour_[vertex]; i < firstNeighbour_[vertex + 1]; ++i) visit(neighbours_[i]);
+    for (uint32_t i = firstNeighbour_[vertex]; i < firstNeighbour_[vertex + 1]; ++i)
+      visit(neighbours_[i]);
   }
 
   /// Each vertex moved along its normal, those in the box's end within it. No displacements: none.

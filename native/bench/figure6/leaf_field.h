@@ -7,7 +7,8 @@
 
 namespace isostar::bench {
 
-/// Samples of a function that is linear on the crossing leaves of a mesh, and has one sign in each region between them.
+/// Samples of a function that is linear on the crossing leaves of a mesh, and has one sign in each
+/// region between them.
 class LeafField {
  public:
   explicit LeafField(const Hierarchy<3>& hierarchy)
@@ -16,7 +17,8 @@ class LeafField {
   /// values(sample) → double, at the leaf's vertices.
   template <class Values>
   void add(const TaggedSimplex<3>& leaf, Values values) {
-    const LinearFunction<3> linear(hierarchy_, leaf, [&](const auto& v) { return values(hierarchy_.position(v)); });
+    const LinearFunction<3> linear(hierarchy_, leaf,
+                                   [&](const auto& v) { return values(hierarchy_.position(v)); });
     fill(leaf, linear);
   }
   /// What no leaf tells has the sign of a neighbour that has one; where none has, the sign given.
@@ -27,7 +29,8 @@ class LeafField {
  private:
   [[nodiscard]] size_t place(const Coordinates<3>& v) const {
     const auto& box = hierarchy_.box();
-    return (static_cast<size_t>(v[2]) * static_cast<size_t>(box[1] + 1) + static_cast<size_t>(v[1])) *
+    return (static_cast<size_t>(v[2]) * static_cast<size_t>(box[1] + 1) +
+            static_cast<size_t>(v[1])) *
                static_cast<size_t>(box[0] + 1) +
            static_cast<size_t>(v[0]);
   }

@@ -23,7 +23,8 @@ DualSurface surfaceOf(const OctreeSigns& signs, int level, const std::array<doub
 
 }  // namespace
 
-std::vector<std::byte> encodeOctree(const Volume& volume, double isovalue, const measure::TriangleTree& surface) {
+std::vector<std::byte> encodeOctree(const Volume& volume, double isovalue,
+                                    const measure::TriangleTree& surface) {
   const int levels = finestLevelOf(volume.size);
   const auto actual = signsOf(volume, isovalue);
   std::vector<std::byte> bytes;
@@ -89,7 +90,8 @@ Mesh decodeOctree(std::span<const std::byte> prefix, const std::array<double, 3>
     if (layer == levels) displaced.emplace(dual.emplace(surfaceOf(*signs, levels, unit)));
     if (layer > levels)
       displaced->code(
-          coder, layer - levels - 1, [](size_t) { return 0.0; }, [&] { return torn && coder.overrun() > 0; });
+          coder, layer - levels - 1, [](size_t) { return 0.0; },
+          [&] { return torn && coder.overrun() > 0; });
   }
   if (layer == 0) return {};
   if (dual) return dual->mesh(displaced->values());

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <vector>
 
-#include "grid/signs.h"
 #include "entropy/models.h"
+#include "grid/signs.h"
 
 namespace isostar::bench {
 
-/// The signs of an octree's corners, level by level, after H. Lee, M. Desbrun, P. Schröder, Progressive encoding of
-/// complex isosurfaces (2003): new corners are told only where the parent has samples of both signs; of a child whose
-/// corners agree one bit says whether it has, nevertheless. What is left is of one sign.
+/// The signs of an octree's corners, level by level, after H. Lee, M. Desbrun, P. Schröder,
+/// Progressive encoding of complex isosurfaces (2003): new corners are told only where the parent
+/// has samples of both signs; of a child whose corners agree one bit says whether it has,
+/// nevertheless. What is left is of one sign.
 class OctreeSigns {
  public:
   OctreeSigns(const Coordinates<3>& lastSample, int levels)
@@ -20,9 +21,12 @@ class OctreeSigns {
     for (auto& w : mixedWeights_) w = Mixer<2>::initialWeights();
   }
 
-  [[nodiscard]] Lattice<3> lattice(int level) const { return Lattice<3>(last_, int32_t{1} << (levels_ - level)); }
+  [[nodiscard]] Lattice<3> lattice(int level) const {
+    return Lattice<3>(last_, int32_t{1} << (levels_ - level));
+  }
 
-  /// Tells the signs of a level; those of the level before have been told. `truth` is an OctreeTruth or an OctreeBlind.
+  /// Tells the signs of a level; those of the level before have been told. `truth` is an
+  /// OctreeTruth or an OctreeBlind.
   template <class Coder, class Actual>
   void code(Coder& coder, const Actual& actual, int level) {
     const auto grid = lattice(level);
@@ -40,7 +44,8 @@ class OctreeSigns {
         }
       }
       for (const auto& parent : active_) {
-        forEach(lowest(parent), minusOne(highest(grid, parent)), [&](const auto& cell) { cells.push_back(cell); });
+        forEach(lowest(parent), minusOne(highest(grid, parent)),
+                [&](const auto& cell) { cells.push_back(cell); });
       }
     }
     active_.clear();
@@ -85,7 +90,8 @@ class OctreeSigns {
   }
 
   [[nodiscard]] size_t place(const Coordinates<3>& sample) const {
-    return (static_cast<size_t>(sample[2]) * static_cast<size_t>(last_[1] + 1) + static_cast<size_t>(sample[1])) *
+    return (static_cast<size_t>(sample[2]) * static_cast<size_t>(last_[1] + 1) +
+            static_cast<size_t>(sample[1])) *
                static_cast<size_t>(last_[0] + 1) +
            static_cast<size_t>(sample[0]);
   }
@@ -97,33 +103,38 @@ class OctreeSigns {
     return signs_[place(sampleOf(grid, v))];
   }
   /// 1, -1 or, unknown, 0; mirrored at the box's end.
-  [[nodiscard]] int beside(const Lattice<3>& grid, const Coordinates<3>& v, int x, int y, int z) const {
-    const uint8_t sign = at(grid, {grid.mirrored(0, v[0] + x), grid.mirrored(1, v[1] + y), grid.mirrored(2, v[2] + z)});
+  [[nodiscard]] int beside(const Lattice<3>& grid, const Coordinates<3>& v, int x, int y,
+                           int z) const {
+    const uint8_t sign = at(
+        grid, {grid.mirrored(0, v[0] + x), grid.mirrored(1, v[1] + y), grid.mirrored(2, v[2] + z)});
     return sign == kUnknown ? 0 : sign == kPositive ? 1 : -1;
   }
 
   /// Which sign the 125 vertices around speak for, the nearer ones louder: 0 … kVotes - 1.
   [[nodiscard]] size_t vote(const Lattice<3>& grid, const Coordinates<3>& v) const {
-    static constexpr int kLoud[13] = {0, 60, 42, 26, 20, 16, 10, 0, 7, 6, 0, 0, 4};  // by squared distance
+    static constexpr int kLoud[13] = {0, 60, 42, 26, 20, 16, 10,
+                                      0, 7,  6,  0,  0,  4};  // by squared distance
     int sum = 0;
     for (int z = -2; z <= 2; ++z) {
       for (int y = -2; y <= 2; ++y) {
-        for (int x = -2; x <= 2; ++x) sum += kLoud[x * x + y * y + z * z] * beside(grid, v, x, y, z);
+        for (int x = -2; x <= 2; ++x)
+          sum += kLoud[x * x + y * y + z * z] * beside(grid, v, x, y, z);
       }
     }
     return static_cast<size_t>(std::clamp(sum / 24 + kVotes / 2, 0, kVotes - 1));
   }
 
-  /// The corners of the parent's edge, face or cube that the vertex is the middle of, and what lies between them and
-  /// it.
-  [[nodiscard]] size_t patternBetween(const Lattice<3>& grid, const Coordinates<3>& v, int newAxisCount) const {
+  /// The corners of the parent's edge, face or cube that the vertex is the middle of, and what lies
+  /// between them and it.
+  [[nodiscard]] size_t patternBetween(const Lattice<3>& grid, const Coordinates<3>& v,
+                                      int newAxisCount) const {
     size_t pattern = 0;
     for (int z = -1; z <= 1; ++z) {
       for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
           const int steps = std::abs(x) + std::abs(y) + std::abs(z);
-          const bool within =
-              (x == 0 || grid.isNew(0, v[0])) && (y == 0 || grid.isNew(1, v[1])) && (z == 0 || grid.isNew(2, v[2]));
+          const bool within = (x == 0 || grid.isNew(0, v[0])) && (y == 0 || grid.isNew(1, v[1])) &&
+                              (z == 0 || grid.isNew(2, v[2]));
           if (within && (steps == 1 || steps == newAxisCount))
             pattern = pattern << 1 | (beside(grid, v, x, y, z) > 0 ? 1u : 0u);
         }
@@ -133,7 +144,8 @@ class OctreeSigns {
   }
 
   /// Of those along the axes at a distance: 0 … 12.
-  [[nodiscard]] size_t sumOfSix(const Lattice<3>& grid, const Coordinates<3>& v, int distance) const {
+  [[nodiscard]] size_t sumOfSix(const Lattice<3>& grid, const Coordinates<3>& v,
+                                int distance) const {
     int sum = 6;
     for (int by : {-distance, distance})
       sum += beside(grid, v, by, 0, 0) + beside(grid, v, 0, by, 0) + beside(grid, v, 0, 0, by);
@@ -141,35 +153,43 @@ class OctreeSigns {
   }
 
   template <class Coder, class Actual>
-  void codeSign(Coder& coder, const Actual& actual, const Lattice<3>& grid, const Coordinates<3>& v, int newAxisCount) {
+  void codeSign(Coder& coder, const Actual& actual, const Lattice<3>& grid, const Coordinates<3>& v,
+                int newAxisCount) {
     const auto sample = sampleOf(grid, v);
     uint8_t& sign = signs_[place(sample)];
     if (sign != kUnknown) return;
-    const size_t between = newAxisCount == 0 ? 0 : patternBetween(grid, v, newAxisCount), near = sumOfSix(grid, v, 1),
-                 far = sumOfSix(grid, v, 2);
+    const size_t between = newAxisCount == 0 ? 0 : patternBetween(grid, v, newAxisCount),
+                 near = sumOfSix(grid, v, 1), far = sumOfSix(grid, v, 2);
     const auto kind = static_cast<size_t>(newAxisCount), loud = vote(grid, v);
-    const std::array<BitModel*, 4> contexts{&signByBetween_[kind][between], &signByVote_[kind][loud],
-                                          &signBySides_[kind][near][far], &signByBoth_[kind][loud / 4][between & 15]};
-    const bool coded = Mixer<4>::bit<127, 10>(coder, actual.positive(sample), contexts, signWeights_[kind]);
+    const std::array<BitModel*, 4> contexts{
+        &signByBetween_[kind][between], &signByVote_[kind][loud], &signBySides_[kind][near][far],
+        &signByBoth_[kind][loud / 4][between & 15]};
+    const bool coded =
+        Mixer<4>::bit<127, 10>(coder, actual.positive(sample), contexts, signWeights_[kind]);
     sign = coded ? kPositive : kNegative;
   }
 
   /// Has the cell samples of both signs? Its corners tell, or a bit.
   template <class Coder, class Actual>
-  bool isMixed(Coder& coder, const Actual& actual, const Lattice<3>& grid, int level, const Coordinates<3>& cell) {
+  bool isMixed(Coder& coder, const Actual& actual, const Lattice<3>& grid, int level,
+               const Coordinates<3>& cell) {
     int positives = 0;
     for (int corner = 0; corner < 8; ++corner)
-      positives += positive(grid, {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)});
+      positives += positive(
+          grid, {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)});
     if (positives != 0 && positives != 8) return true;
     if (level == levels_) return false;
-    const std::array<BitModel*, 2> contexts{&mixedByLevel_[static_cast<size_t>(std::min(level, 31))][positives != 0],
-                                          &mixedByVote_[vote(grid, cell)][positives != 0]};
-    return Mixer<2>::bit<127, 10>(coder, actual.mixed(level, cell), contexts, mixedWeights_[positives != 0]);
+    const std::array<BitModel*, 2> contexts{
+        &mixedByLevel_[static_cast<size_t>(std::min(level, 31))][positives != 0],
+        &mixedByVote_[vote(grid, cell)][positives != 0]};
+    return Mixer<2>::bit<127, 10>(coder, actual.mixed(level, cell), contexts,
+                                  mixedWeights_[positives != 0]);
   }
 
   /// All samples of a cell of one sign.
   void settle(const Lattice<3>& grid, const Coordinates<3>& cell) {
-    const auto first = sampleOf(grid, cell), last = sampleOf(grid, {cell[0] + 1, cell[1] + 1, cell[2] + 1});
+    const auto first = sampleOf(grid, cell),
+               last = sampleOf(grid, {cell[0] + 1, cell[1] + 1, cell[2] + 1});
     const uint8_t sign = signs_[place(first)];
     for (int32_t z = first[2]; z <= last[2]; ++z) {
       for (int32_t y = first[1]; y <= last[1]; ++y) {

@@ -8,7 +8,8 @@ void OctreeEncoderSide::find(int level, int levels) {
   lattice = Lattice<3>(signs_.lattice().box, int32_t{1} << (levels - level));
   auto& mixed = mixed_[static_cast<size_t>(level)];
   const auto [cellsX, cellsY, cellsZ] = lattice.last;
-  mixed.resize(static_cast<size_t>(cellsX) * static_cast<size_t>(cellsY) * static_cast<size_t>(cellsZ));
+  mixed.resize(static_cast<size_t>(cellsX) * static_cast<size_t>(cellsY) *
+               static_cast<size_t>(cellsZ));
   for (int32_t z = 0; z < cellsZ; ++z) {
     for (int32_t y = 0; y < cellsY; ++y) {
       for (int32_t x = 0; x < cellsX; ++x) {

@@ -6,10 +6,12 @@
 
 namespace isostar::bench {
 
-/// What the octree's encoder knows: the samples' signs, and which cells of each level have samples of both.
+/// What the octree's encoder knows: the samples' signs, and which cells of each level have samples
+/// of both.
 class OctreeEncoderSide {
  public:
-  OctreeEncoderSide(const Signs<3>& signs, int levels) : signs_(signs), mixed_(static_cast<size_t>(levels) + 1) {
+  OctreeEncoderSide(const Signs<3>& signs, int levels)
+      : signs_(signs), mixed_(static_cast<size_t>(levels) + 1) {
     for (int level = levels; level >= 0; --level) find(level, levels);
   }
 
@@ -22,7 +24,8 @@ class OctreeEncoderSide {
 
  private:
   [[nodiscard]] static size_t place(const Lattice<3>& lattice, const Coordinates<3>& cell) {
-    return (static_cast<size_t>(cell[2]) * static_cast<size_t>(lattice.last[1]) + static_cast<size_t>(cell[1])) *
+    return (static_cast<size_t>(cell[2]) * static_cast<size_t>(lattice.last[1]) +
+            static_cast<size_t>(cell[1])) *
                static_cast<size_t>(lattice.last[0]) +
            static_cast<size_t>(cell[0]);
   }

@@ -9,8 +9,8 @@
 
 namespace isostar::bench {
 
-/// The scalars of a tube's vertices (§5.3) at one step of quantization, each predicted by the linear function of the
-/// leaf from which its own was entered.
+/// The scalars of a tube's vertices (§5.3) at one step of quantization, each predicted by the
+/// linear function of the leaf from which its own was entered.
 class ScalarCoder {
  public:
   /// `step` is in the scalars' unit.
@@ -20,10 +20,11 @@ class ScalarCoder {
         values_(Lattice<3>(hierarchy.box(), 1).vertices(), 0.0f),
         weights_(kDecisions, Mixer<3>::initialWeights()) {}
 
-  /// The vertices of a leaf as GateTraversal visits it: positive(sample) is the sign, truth(sample) the scalar.
+  /// The vertices of a leaf as GateTraversal visits it: positive(sample) is the sign, truth(sample)
+  /// the scalar.
   template <class Coder, class Positive, class Actual>
-  void code(Coder& coder, const TaggedSimplex<3>& leaf, const TaggedSimplex<3>* from, int newVertex, Positive positive,
-            Actual actual) {
+  void code(Coder& coder, const TaggedSimplex<3>& leaf, const TaggedSimplex<3>* from, int newVertex,
+            Positive positive, Actual actual) {
     for (int i = 0; i <= 3; ++i) {
       if (from != nullptr && i != newVertex) continue;
       const auto sample = hierarchy_.position(leaf.vertices[i]);
@@ -32,8 +33,10 @@ class ScalarCoder {
       ++count_;
       const double side = positive(sample) ? 1 : -1;
       const double guess = side * predicted(leaf, from, sample) / step_;
-      const auto finer = std::min(static_cast<std::size_t>(hierarchy_.maxDepth() - leaf.depth), kSizes - 1);
-      const int size = codeSize(coder, static_cast<int>(std::abs(actual(sample)) / step_), guess, finer);
+      const auto finer =
+          std::min(static_cast<std::size_t>(hierarchy_.maxDepth() - leaf.depth), kSizes - 1);
+      const int size =
+          codeSize(coder, static_cast<int>(std::abs(actual(sample)) / step_), guess, finer);
       value = static_cast<float>(side * (size + 0.5) * step_);
     }
   }
@@ -44,15 +47,16 @@ class ScalarCoder {
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
-  // Decisions: is it what is expected, or more; the difference in unary; then its bits, how many and which.
+  // Decisions: is it what is expected, or more; the difference in unary; then its bits, how many
+  // and which.
   enum : std::size_t { kExact, kMore, kUnary, kBits = kUnary + 14, kRest = kBits + 20, kDecisions };
   static constexpr std::size_t kSizes = 8, kGuesses = 12, kErrors = 8, kNear = 16;
   static constexpr int kMost = 1 << 20;  // no scalar has so many steps
 
   [[nodiscard]] std::size_t place(const Coordinates<3>& v) const {
     const auto& box = hierarchy_.box();
-    const auto row =
-        static_cast<std::size_t>(v[2]) * static_cast<std::size_t>(box[1] + 1) + static_cast<std::size_t>(v[1]);
+    const auto row = static_cast<std::size_t>(v[2]) * static_cast<std::size_t>(box[1] + 1) +
+                     static_cast<std::size_t>(v[1]);
     return row * static_cast<std::size_t>(box[0] + 1) + static_cast<std::size_t>(v[0]);
   }
 
@@ -60,22 +64,27 @@ class ScalarCoder {
   [[nodiscard]] double predicted(const TaggedSimplex<3>& leaf, const TaggedSimplex<3>* from,
                                  const Coordinates<3>& sample) const {
     if (from == nullptr) return 0.5 * (hierarchy_.baseStep() >> (leaf.depth / 3));
-    return LinearFunction<3>(hierarchy_, *from, [&](const auto& v) { return value(hierarchy_.position(v)); })
+    return LinearFunction<3>(hierarchy_, *from,
+                             [&](const auto& v) { return value(hierarchy_.position(v)); })
         .at(sample);
   }
 
-  static std::size_t logarithm(double x) { return x < 1 ? 0 : 1 + static_cast<std::size_t>(std::ilogb(x)); }
+  static std::size_t logarithm(double x) {
+    return x < 1 ? 0 : 1 + static_cast<std::size_t>(std::ilogb(x));
+  }
 
-  /// A vertex's scalar in whole steps. `guess` is negative where the prediction has the other sign; `finer` is how many
-  /// levels the leaf is coarser than the finest.
+  /// A vertex's scalar in whole steps. `guess` is negative where the prediction has the other sign;
+  /// `finer` is how many levels the leaf is coarser than the finest.
   template <class Coder>
   int codeSize(Coder& coder, int actual, double guess, std::size_t finer) {
-    const std::size_t bySize = finer * kGuesses + std::min(logarithm(std::abs(guess)), kGuesses - 1),
+    const std::size_t bySize =
+                          finer * kGuesses + std::min(logarithm(std::abs(guess)), kGuesses - 1),
                       byErrors = finer * kErrors + std::min(logarithm(lastErrors_), kErrors - 1),
-                      near = static_cast<std::size_t>(std::clamp(4 * (guess + 1), 0.0, kNear - 1.0));
+                      near =
+                          static_cast<std::size_t>(std::clamp(4 * (guess + 1), 0.0, kNear - 1.0));
     const auto bit = [&](std::size_t decision, bool value) {
-      const std::array<BitModel*, 3> contexts{&bySize_[decision][bySize], &byErrors_[decision][byErrors],
-                                            &byGuess_[decision][near]};
+      const std::array<BitModel*, 3> contexts{
+          &bySize_[decision][bySize], &byErrors_[decision][byErrors], &byGuess_[decision][near]};
       return Mixer<3>::bit<127, 12>(coder, value, contexts, weights_[decision]);
     };
     const int expected = static_cast<int>(std::clamp(guess, 0.0, double{kMost}));
@@ -98,7 +107,8 @@ class ScalarCoder {
     }
     const int rest = actual - least + 1;
     int bits = 0;
-    while (bits < 19 && bit(kBits + static_cast<std::size_t>(bits), rest >> (bits + 1) != 0)) ++bits;
+    while (bits < 19 && bit(kBits + static_cast<std::size_t>(bits), rest >> (bits + 1) != 0))
+      ++bits;
     int coded = 1;
     for (int i = bits - 1; i >= 0; --i) coded = 2 * coded + bit(kRest, (rest >> i & 1) != 0);
     return least - 1 + coded;

@@ -4,15 +4,16 @@
 #include "bench/figure6/leaf_field.h"
 #include "bench/figure6/scalar_coder.h"
 #include "bench/figure6/volume_signs.h"
-#include "container/bytes.h"
-#include "bisection/criteria.h"
 #include "bisection/adaptation.h"
+#include "bisection/criteria.h"
 #include "coding/adaptive/gate_traversal.h"
+#include "container/bytes.h"
 
 namespace isostar::bench {
 namespace {
 
-// Of the bound. Scalars are off by half their step, which adds to the flatness of leaves only in the worst case.
+// Of the bound. Scalars are off by half their step, which adds to the flatness of leaves only in
+// the worst case.
 constexpr double kFlat = 0.8, kQuantized = 1.1;
 
 struct Visit {
@@ -39,7 +40,8 @@ void codeScalars(Coder& coder, const std::vector<Visit>& visits, const GateTrave
     scalars.code(coder, leaf, newVertex < 0 ? nullptr : &from, newVertex, positive, actual);
 }
 
-SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const DistanceSamples& distances, double step) {
+SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs,
+                         const DistanceSamples& distances, double step) {
   SingleRateStream stream;
   ByteWriter header(stream.bytes);
   for (int32_t last : mesh.hierarchy().box()) header.varint(static_cast<uint64_t>(last) + 1);
@@ -52,7 +54,8 @@ SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const Dista
   const auto visits = codeMesh(exchange, traversal);
   stream.connectivity = stream.bytes.size();
   stream.leaves = visits.size();
-  codeScalars(coder, visits, traversal, scalars, [&](const auto& sample) { return distances(sample); });
+  codeScalars(coder, visits, traversal, scalars,
+              [&](const auto& sample) { return distances(sample); });
   stream.vertices = scalars.count();
   coder.finish();
   return stream;
@@ -61,7 +64,8 @@ SingleRateStream encoded(const Rbmt<3>& mesh, const Signs<3>& signs, const Dista
 }  // namespace
 
 std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isovalue,
-                                               const measure::TriangleTree& surface, std::span<const double> bounds) {
+                                               const measure::TriangleTree& surface,
+                                               std::span<const double> bounds) {
   const Signs<3> signs = signsOf(volume, isovalue);
   const DistanceSamples distances(volume, isovalue, signs, surface);
   const Hierarchy<3> hierarchy(lastSample(volume.size), finestLevelOf(volume.size));
@@ -69,8 +73,10 @@ std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isov
   std::vector<SingleRateStream> streams;
   for (double bound : bounds) {
     Rbmt<3> mesh(hierarchy);
-    const DistanceBound<3, DistanceSamples, decltype(source)> near(hierarchy, signs, distances, source, kFlat * bound);
-    refine(mesh, [&](const TaggedSimplex<3>& s) { return !mayCross(signs, hierarchy, s) || near(s); });
+    const DistanceBound<3, DistanceSamples, decltype(source)> near(hierarchy, signs, distances,
+                                                                   source, kFlat * bound);
+    refine(mesh,
+           [&](const TaggedSimplex<3>& s) { return !mayCross(signs, hierarchy, s) || near(s); });
     streams.push_back(encoded(mesh, signs, distances, kQuantized * bound));
   }
   return streams;
@@ -89,7 +95,8 @@ SampledFunction decodeSingleRate(std::span<const std::byte> bytes) {
   const auto visits = codeMesh(exchange, traversal);
   codeScalars(coder, visits, traversal, scalars, [](const auto&) { return 0.0; });
   LeafField field(hierarchy);
-  for (const Visit& v : visits) field.add(v.leaf, [&](const auto& sample) { return scalars.value(sample); });
+  for (const Visit& v : visits)
+    field.add(v.leaf, [&](const auto& sample) { return scalars.value(sample); });
   field.complete(traversal.positive({}));
   result.samples = field.take();
   return result;

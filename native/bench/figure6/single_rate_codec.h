@@ -15,9 +15,10 @@ struct SingleRateStream {
   size_t leaves = 0, vertices = 0;  // of the tube
 };
 
-/// A surface at a single rate, for comparison only (§5.1, §6): a mesh of the RBMT that is adapted to a distance, told
-/// through its gates, then the scalars of its vertices. One stream for each bound, in grid steps and to first order:
-/// who wants to know measures. `surface` is the source's, in grid steps.
+/// A surface at a single rate, for comparison only (§5.1, §6): a mesh of the RBMT that is adapted
+/// to a distance, told through its gates, then the scalars of its vertices. One stream for each
+/// bound, in grid steps and to first order: who wants to know measures. `surface` is the source's,
+/// in grid steps.
 [[nodiscard]] std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isovalue,
                                                              const measure::TriangleTree& surface,
                                                              std::span<const double> bounds);

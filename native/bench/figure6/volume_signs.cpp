@@ -7,7 +7,8 @@ Signs<3> signsOf(const Volume& volume, double isovalue) {
   auto sample = volume.samples.begin();
   for (int32_t z = 0; z < volume.size[2]; ++z) {
     for (int32_t y = 0; y < volume.size[1]; ++y) {
-      for (int32_t x = 0; x < volume.size[0]; ++x) signs.set({x, y, z}, double{*sample++} > isovalue);
+      for (int32_t x = 0; x < volume.size[0]; ++x)
+        signs.set({x, y, z}, double{*sample++} > isovalue);
     }
   }
   return signs;

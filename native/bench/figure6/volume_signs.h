@@ -8,7 +8,8 @@ namespace isostar::bench {
 /// The samples' signs, as both comparison codecs tell them: positive above the isovalue.
 Signs<3> signsOf(const Volume&, double isovalue);
 
-/// How often a cell of four on the longest axis must be halved to be the grid's own: the octaves that isostar has.
+/// How often a cell of four on the longest axis must be halved to be the grid's own: the octaves
+/// that isostar has.
 int finestLevelOf(const std::array<int32_t, 3>& size);
 
 /// The last sample on each axis.

@@ -5,10 +5,12 @@
 
 namespace isostar {
 
-// A criterion is a function `bool keeps(const TaggedSimplex<D>&)`: may the simplex be a leaf? It is asked of simplices
-// with vertices of the hierarchy, of any level but the finest, whose simplices every criterion keeps.
+// A criterion is a function `bool keeps(const TaggedSimplex<D>&)`: may the simplex be a leaf? It is
+// asked of simplices with vertices of the hierarchy, of any level but the finest, whose simplices
+// every criterion keeps.
 
-/// Splits until keeps() keeps every leaf. Each simplex is asked at most once, and only while it is a leaf.
+/// Splits until keeps() keeps every leaf. Each simplex is asked at most once, and only while it is
+/// a leaf.
 template <int D, class Keeps>
 void refine(Rbmt<D>& mesh, Keeps keeps) {
   const auto& hierarchy = mesh.hierarchy();
@@ -32,8 +34,9 @@ void refine(Rbmt<D>& mesh, Keeps keeps) {
   }
 }
 
-/// Welds what allows(const Diamond<D>&) allows, finest level first, local welds only: it is asked once of each diamond
-/// that can be welded when its level's turn comes, of the mesh as it then is. Welds it does right after a "yes".
+/// Welds what allows(const Diamond<D>&) allows, finest level first, local welds only: it is asked
+/// once of each diamond that can be welded when its level's turn comes, of the mesh as it then is.
+/// Welds it does right after a "yes".
 template <int D, class Allows>
 void coarsen(Rbmt<D>& mesh, Allows allows) {
   typename Rbmt<D>::Vertices removed;

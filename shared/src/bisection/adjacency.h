@@ -1,4 +1,5 @@
-// Which simplex lies behind a face, and which one was bisected into this one (§4.3): in closed form, integers only.
+// Which simplex lies behind a face, and which one was bisected into this one (§4.3): in closed
+// form, integers only.
 #pragma once
 
 #include <optional>
@@ -14,14 +15,16 @@ struct Adjacent {
   int newVertex;
 };
 
-/// The simplex of the same level on the other side of the face opposite vertex i; nothing where the box ends.
+/// The simplex of the same level on the other side of the face opposite vertex i; nothing where the
+/// box ends.
 template <int D>
 std::optional<Adjacent<D>> across(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s, int i) {
   Adjacent<D> other{s, i};
   auto& v = other.simplex.vertices;
   const int path = s.tag;
   // x + y - z: the fourth corner of a parallelogram, or a mirror image where x and y are one.
-  const auto corner = [](const Coordinates<D>& x, const Coordinates<D>& y, const Coordinates<D>& z) {
+  const auto corner = [](const Coordinates<D>& x, const Coordinates<D>& y,
+                         const Coordinates<D>& z) {
     Coordinates<D> w;
     for (int a = 0; a < D; ++a) w[a] = x[a] + y[a] - z[a];
     return w;
@@ -36,14 +39,16 @@ std::optional<Adjacent<D>> across(const Hierarchy<D>& hierarchy, const TaggedSim
     const auto& next = v[i == 0 ? 1 : D - 1];
     v[i] = corner(next, next, v[i]);
   } else {
-    // The rest of the path lies in two sides of the cube around vertex path + 1. In the other one it goes on along that
-    // vertex's axis, before or behind, so that it leads from an even corner to an odd one.
+    // The rest of the path lies in two sides of the cube around vertex path + 1. In the other one
+    // it goes on along that vertex's axis, before or behind, so that it leads from an even corner
+    // to an odd one.
     const auto m = s.middle(), &out = s.vertices[path + 1];
     int axis = 0;
     while (m[axis] == out[axis]) ++axis;
     const int32_t step = 2 * (out[axis] - m[axis]);
     const bool behind = m[axis] / step % 2 == 0;
-    if (i == 0 && behind) std::copy(s.vertices.begin() + 1, s.vertices.begin() + path + 1, v.begin());
+    if (i == 0 && behind)
+      std::copy(s.vertices.begin() + 1, s.vertices.begin() + path + 1, v.begin());
     if (i != 0 && !behind) std::copy(s.vertices.begin(), s.vertices.begin() + path, v.begin() + 1);
     other.newVertex = behind ? path : 0;
     v[other.newVertex] = behind ? v[path - 1] : v[1];

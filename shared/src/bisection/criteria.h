@@ -1,4 +1,5 @@
-// Criteria of adaptive decomposition (§4.3): how far a leaf moves the isosurface, and how much it turns its normals.
+// Criteria of adaptive decomposition (§4.3): how far a leaf moves the isosurface, and how much it
+// turns its normals.
 #pragma once
 
 #include <limits>
@@ -8,14 +9,15 @@
 
 namespace isostar {
 
-// Fields are functions of samples of the box: double field(const Coordinates<D>& position), positive where above 0.
-// `values` are the scalars that the mesh's vertices have, `source` those of all samples, `signs` the source's signs.
-// Criteria keep references to all of them.
+// Fields are functions of samples of the box: double field(const Coordinates<D>& position),
+// positive where above 0. `values` are the scalars that the mesh's vertices have, `source` those of
+// all samples, `signs` the source's signs. Criteria keep references to all of them.
 
-/// Calls visit(simplex) for the finest simplices below one, except below those that enter(simplex) shuts out.
+/// Calls visit(simplex) for the finest simplices below one, except below those that enter(simplex)
+/// shuts out.
 template <int D, class Enter, class Visit>
-void forEachFinestBelow(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s, const Enter& enter,
-                        const Visit& visit) {
+void forEachFinestBelow(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s,
+                        const Enter& enter, const Visit& visit) {
   if (hierarchy.flat(s.vertices) || !enter(s)) return;
   if (s.depth == hierarchy.maxDepth()) {
     visit(s);
@@ -24,15 +26,16 @@ void forEachFinestBelow(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s
   for (const auto& half : s.halves()) forEachFinestBelow(hierarchy, half, enter, visit);
 }
 
-/// Keeps a simplex whose linear function has the isosurface within a distance of the source's, both ways and to first
-/// order: where the source's crosses an edge of the finest simplices inside, the linear function is off by its value
-/// over its gradient; where the linear function's crosses one, the source is off by its value over the gradient there.
+/// Keeps a simplex whose linear function has the isosurface within a distance of the source's, both
+/// ways and to first order: where the source's crosses an edge of the finest simplices inside, the
+/// linear function is off by its value over its gradient; where the linear function's crosses one,
+/// the source is off by its value over the gradient there.
 template <int D, class Values, class Source>
 class DistanceBound {
  public:
   /// `bound` is in grid steps.
-  DistanceBound(const Hierarchy<D>& hierarchy, const Signs<D>& signs, const Values& values, const Source& source,
-                double bound)
+  DistanceBound(const Hierarchy<D>& hierarchy, const Signs<D>& signs, const Values& values,
+                const Source& source, double bound)
       : hierarchy_(&hierarchy), signs_(&signs), values_(&values), source_(&source), bound_(bound) {}
 
   bool operator()(const TaggedSimplex<D>& s) const { return distance(s) <= bound_; }
@@ -40,14 +43,18 @@ class DistanceBound {
   /// In grid steps; infinite where a gradient vanishes. Beyond the bound it stops looking for more.
   [[nodiscard]] double distance(const TaggedSimplex<D>& s) const {
     if (!valuesCross(s) && !mayCross(*signs_, *hierarchy_, s)) return 0;
-    const LinearFunction<D> linear(*hierarchy_, s, [&](const auto& v) { return (*values_)(hierarchy_->position(v)); });
+    const LinearFunction<D> linear(
+        *hierarchy_, s, [&](const auto& v) { return (*values_)(hierarchy_->position(v)); });
     double farthest = 0;
     forEachFinestBelow(
         *hierarchy_, s,
         [&](const TaggedSimplex<D>& below) {
-          return farthest <= bound_ && (crossed(at(below, linear)) || mayCross(*signs_, *hierarchy_, below));
+          return farthest <= bound_ &&
+                 (crossed(at(below, linear)) || mayCross(*signs_, *hierarchy_, below));
         },
-        [&](const TaggedSimplex<D>& finest) { farthest = std::max(farthest, distance(finest, linear)); });
+        [&](const TaggedSimplex<D>& finest) {
+          farthest = std::max(farthest, distance(finest, linear));
+        });
     return farthest;
   }
 
@@ -70,25 +77,28 @@ class DistanceBound {
   }
 
   /// On the edges of a finest simplex.
-  [[nodiscard]] double distance(const TaggedSimplex<D>& finest, const LinearFunction<D>& linear) const {
+  [[nodiscard]] double distance(const TaggedSimplex<D>& finest,
+                                const LinearFunction<D>& linear) const {
     const auto here = at(finest, linear);
     Corners there;
     for (int i = 0; i <= D; ++i) there[i] = (*source_)(hierarchy_->position(finest.vertices[i]));
     if (!crossed(here) && !crossed(there)) return 0;
-    const LinearFunction<D> actual(*hierarchy_, finest,
-                                  [&](const auto& v) { return (*source_)(hierarchy_->position(v)); });
+    const LinearFunction<D> actual(
+        *hierarchy_, finest, [&](const auto& v) { return (*source_)(hierarchy_->position(v)); });
     const double steepness = linear.steepness(), trueSteepness = actual.steepness();
     double farthest = 0;
     for (int i = 0; i <= D; ++i) {
       for (int j = i + 1; j <= D; ++j) {
-        farthest = std::max({farthest, offAtCrossing(there[i], there[j], here[i], here[j], steepness),
-                             offAtCrossing(here[i], here[j], there[i], there[j], trueSteepness)});
+        farthest =
+            std::max({farthest, offAtCrossing(there[i], there[j], here[i], here[j], steepness),
+                      offAtCrossing(here[i], here[j], there[i], there[j], trueSteepness)});
       }
     }
     return farthest;
   }
 
-  /// How far the other function's zero is, where the one with values a, b on an edge's ends has its own.
+  /// How far the other function's zero is, where the one with values a, b on an edge's ends has its
+  /// own.
   static double offAtCrossing(double a, double b, double otherA, double otherB, double steepness) {
     if ((a > 0) == (b > 0)) return 0;
     const double off = std::abs(otherA + (otherB - otherA) * (a / (a - b)));
@@ -103,21 +113,21 @@ class DistanceBound {
   double bound_;
 };
 
-/// Keeps a simplex whose normal, the gradient of its linear function, is within an angle of those of all finest
-/// simplices inside that the source's isosurface crosses: refined where the surface bends. One that the surface enters
-/// between its vertices is refused.
+/// Keeps a simplex whose normal, the gradient of its linear function, is within an angle of those
+/// of all finest simplices inside that the source's isosurface crosses: refined where the surface
+/// bends. One that the surface enters between its vertices is refused.
 template <int D, class Values, class Source>
 class NormalBound {
  public:
   /// `angle` in radians, 0 … π.
-  NormalBound(const Hierarchy<D>& hierarchy, const Signs<D>& signs, const Values& values, const Source& source,
-              double angle)
+  NormalBound(const Hierarchy<D>& hierarchy, const Signs<D>& signs, const Values& values,
+              const Source& source, double angle)
       : hierarchy_(&hierarchy), signs_(&signs), values_(&values), source_(&source), angle_(angle) {}
 
   bool operator()(const TaggedSimplex<D>& s) const { return deviation(s) <= angle_; }
 
-  /// In radians; infinite where the surface is missed, π where a gradient vanishes. Beyond the bound it stops looking
-  /// for more.
+  /// In radians; infinite where the surface is missed, π where a gradient vanishes. Beyond the
+  /// bound it stops looking for more.
   [[nodiscard]] double deviation(const TaggedSimplex<D>& s) const {
     if (!mayCross(*signs_, *hierarchy_, s)) return 0;
     const bool seen = crosses(*signs_, *hierarchy_, s);
@@ -125,7 +135,9 @@ class NormalBound {
     double widest = 0;
     forEachFinestBelow(
         *hierarchy_, s,
-        [&](const TaggedSimplex<D>& below) { return widest <= angle_ && mayCross(*signs_, *hierarchy_, below); },
+        [&](const TaggedSimplex<D>& below) {
+          return widest <= angle_ && mayCross(*signs_, *hierarchy_, below);
+        },
         [&](const TaggedSimplex<D>& finest) {
           if (!crosses(*signs_, *hierarchy_, finest)) return;
           widest = seen ? std::max(widest, angle(normal, linear(finest, *source_).gradient()))
@@ -137,7 +149,8 @@ class NormalBound {
  private:
   template <class Field>
   [[nodiscard]] LinearFunction<D> linear(const TaggedSimplex<D>& s, const Field& field) const {
-    return LinearFunction<D>(*hierarchy_, s, [&](const auto& v) { return field(hierarchy_->position(v)); });
+    return LinearFunction<D>(*hierarchy_, s,
+                             [&](const auto& v) { return field(hierarchy_->position(v)); });
   }
   static double angle(const Vector<D>& v, const Vector<D>& w) {
     const double lengths = std::sqrt(dot<D>(v, v) * dot<D>(w, w));

@@ -1,4 +1,5 @@
-// The diamonds of the RBMT (§4.2, §4.3) in closed form: which vertex splits which edge, after and before which others.
+// The diamonds of the RBMT (§4.2, §4.3) in closed form: which vertex splits which edge, after and
+// before which others.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +10,15 @@
 
 namespace isostar {
 
-/// All simplices around one refinement edge, named by the vertex in the edge's middle, whose arrival splits them.
+/// All simplices around one refinement edge, named by the vertex in the edge's middle, whose
+/// arrival splits them.
 template <int D>
 struct Diamond {
   Coordinates<D> vertex{};
-  int32_t half = 1;    // from the vertex to either end of the edge, on each axis that the edge runs along
+  int32_t half =
+      1;  // from the vertex to either end of the edge, on each axis that the edge runs along
   unsigned newAxes = 0;  // bit a: the edge runs along axis a, the vertex is fresh there
-  int depth = 0;       // of the simplices that the split makes: bisections since the base
+  int depth = 0;         // of the simplices that the split makes: bisections since the base
 
   [[nodiscard]] bool along(int axis) const { return (newAxes >> axis & 1) != 0; }
   [[nodiscard]] int axes() const {
@@ -23,7 +26,8 @@ struct Diamond {
     for (int a = 0; a < D; ++a) count += along(a);
     return count;
   }
-  /// The end whose planes are even in steps of the edge's octave; cells mirror each other, so the diagonals meet there.
+  /// The end whose planes are even in steps of the edge's octave; cells mirror each other, so the
+  /// diagonals meet there.
   [[nodiscard]] Coordinates<D> evenEnd() const {
     Coordinates<D> end = vertex;
     for (int a = 0; a < D; ++a) {
@@ -40,28 +44,33 @@ struct Diamond {
 
 /// The vertices that meshes of a box may have, in finest steps, and which of them wait for which.
 ///
-/// The lattice is padded to whole cells of the base. A vertex beyond the box's end lies *at* the end (`position`), so
-/// that the hierarchy is as regular as an endless one; simplices that are flat there are no simplices of the box, and a
-/// vertex around which all are flat does not exist (`holds`).
+/// The lattice is padded to whole cells of the base. A vertex beyond the box's end lies *at* the
+/// end (`position`), so that the hierarchy is as regular as an endless one; simplices that are flat
+/// there are no simplices of the box, and a vertex around which all are flat does not exist
+/// (`holds`).
 template <int D>
 class Hierarchy {
  public:
   using Vertex = Coordinates<D>;  // in finest steps
 
   Hierarchy() = default;
-  /// A box with samples 0 … lastSample; `octaves` is how often cells of the base are halved, at most 20, and less than
-  /// 2³⁰ planes are padded. A box without extent on some axis has no simplices.
+  /// A box with samples 0 … lastSample; `octaves` is how often cells of the base are halved, at
+  /// most 20, and less than 2³⁰ planes are padded. A box without extent on some axis has no
+  /// simplices.
   Hierarchy(const Coordinates<D>& lastSample, int finestLevel)
       : box_(lastSample),
         finestLevel_(finestLevel),
-        padded_(std::any_of(box_.begin(), box_.end(), [&](int32_t last) { return last % baseStep() != 0; })) {}
+        padded_(std::any_of(box_.begin(), box_.end(),
+                            [&](int32_t last) { return last % baseStep() != 0; })) {}
 
   [[nodiscard]] const Coordinates<D>& box() const { return box_; }
   [[nodiscard]] int finestLevel() const { return finestLevel_; }
   [[nodiscard]] int maxDepth() const { return D * finestLevel_; }
   [[nodiscard]] int32_t baseStep() const { return int32_t{1} << finestLevel_; }
   /// Cells of the base on an axis.
-  [[nodiscard]] int32_t baseCells(int axis) const { return (box_[axis] + baseStep() - 1) / baseStep(); }
+  [[nodiscard]] int32_t baseCells(int axis) const {
+    return (box_[axis] + baseStep() - 1) / baseStep();
+  }
   /// All coordinates that a vertex may have.
   [[nodiscard]] Lattice<D> paddedLattice() const {
     Coordinates<D> last;
@@ -74,18 +83,22 @@ class Hierarchy {
     for (int a = 0; a < D; ++a) v[a] = std::min(v[a], box_[a]);
     return v;
   }
-  /// Is a simplex with these vertices flat, beyond the box's end on some axis? Otherwise its volume is positive.
+  /// Is a simplex with these vertices flat, beyond the box's end on some axis? Otherwise its volume
+  /// is positive.
   template <class Vertices>
   [[nodiscard]] bool flat(const Vertices& vertices) const {
     if (!padded_) return false;
     for (int a = 0; a < D; ++a) {
-      if (std::all_of(vertices.begin(), vertices.end(), [&](const Coordinates<D>& v) { return v[a] >= box_[a]; }))
+      if (std::all_of(vertices.begin(), vertices.end(),
+                      [&](const Coordinates<D>& v) { return v[a] >= box_[a]; }))
         return true;
     }
     return false;
   }
 
-  [[nodiscard]] bool isBase(const Coordinates<D>& v) const { return (bits(v) & (baseStep() - 1)) == 0; }
+  [[nodiscard]] bool isBase(const Coordinates<D>& v) const {
+    return (bits(v) & (baseStep() - 1)) == 0;
+  }
   /// The diamond of a vertex that is not of the base.
   [[nodiscard]] Diamond<D> diamond(const Coordinates<D>& v) const {
     const int32_t all = bits(v);
@@ -104,8 +117,9 @@ class Hierarchy {
     return true;
   }
 
-  /// The newest vertex of each of the diamond's simplices, each one level coarser than the diamond: with them the edge
-  /// and all simplices around it are there. D of a cell's centre, else 2 for each axis that the edge is across.
+  /// The newest vertex of each of the diamond's simplices, each one level coarser than the diamond:
+  /// with them the edge and all simplices around it are there. D of a cell's centre, else 2 for
+  /// each axis that the edge is across.
   template <class Visit>
   void forEachParent(const Diamond<D>& d, Visit&& visit) const {
     if (d.axes() == D) {
@@ -124,8 +138,8 @@ class Hierarchy {
     }
   }
 
-  /// The vertices whose parent this one is, each one level finer: 2 for each axis that the edge runs along, 2^D of the
-  /// next octave where it is one axis only.
+  /// The vertices whose parent this one is, each one level finer: 2 for each axis that the edge
+  /// runs along, 2^D of the next octave where it is one axis only.
   template <class Visit>
   void forEachChild(const Diamond<D>& d, Visit&& visit) const {
     if (d.axes() == 1) return forEachChildOfNextLevel(d, visit);

@@ -7,7 +7,8 @@
 
 namespace isostar {
 
-/// Told apart by the sums of their vertices: these are inside, and the insides of leaves are disjoint.
+/// Told apart by the sums of their vertices: these are inside, and the insides of leaves are
+/// disjoint.
 template <int D>
 class LeafSet {
  public:
@@ -28,7 +29,8 @@ class LeafSet {
 
  private:
   using Sum = std::array<uint32_t, D>;
-  static constexpr Sum kEmpty{};  // no leaf's: its vertices differ on every axis and are not negative
+  static constexpr Sum
+      kEmpty{};  // no leaf's: its vertices differ on every axis and are not negative
 
   static Sum sum(const TaggedSimplex<D>& leaf) {
     Sum total{};

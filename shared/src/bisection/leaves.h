@@ -5,8 +5,8 @@
 
 namespace isostar {
 
-/// Calls visit(leaf) for the leaves below a simplex, itself if it is one. enter(simplex) tells of each simplex on the
-/// way whether to look into it.
+/// Calls visit(leaf) for the leaves below a simplex, itself if it is one. enter(simplex) tells of
+/// each simplex on the way whether to look into it.
 template <int D, class Enter, class Visit>
 void forEachLeafBelow(const Rbmt<D>& mesh, const TaggedSimplex<D>& s, Enter& enter, Visit& visit) {
   if (mesh.hierarchy().flat(s.vertices) || !enter(s)) return;
@@ -31,13 +31,15 @@ void forEachBaseCell(const Coordinates<D>& first, const Coordinates<D>& end, Vis
   }
 }
 
-/// The mesh's leaves, or those that enter(simplex), asked on the way from the base, does not shut out.
+/// The mesh's leaves, or those that enter(simplex), asked on the way from the base, does not shut
+/// out.
 template <int D, class Enter, class Visit>
 void forEachLeaf(const Rbmt<D>& mesh, Enter enter, Visit visit) {
   Coordinates<D> end;
   for (int a = 0; a < D; ++a) end[a] = mesh.hierarchy().baseCells(a);
   forEachBaseCell<D>({}, end, [&](const Coordinates<D>& cell) {
-    forEachBaseSimplex(mesh.hierarchy(), cell, [&](const auto& s) { forEachLeafBelow(mesh, s, enter, visit); });
+    forEachBaseSimplex(mesh.hierarchy(), cell,
+                       [&](const auto& s) { forEachLeafBelow(mesh, s, enter, visit); });
   });
 }
 template <int D, class Visit>
@@ -64,10 +66,12 @@ void forEachLeafAround(const Rbmt<D>& mesh, const typename Hierarchy<D>::Vertex&
     first[a] = std::max(plane - 1, 0);
     end[a] = std::min(plane + 1, hierarchy.baseCells(a));
   }
-  forEachBaseCell<D>(first, end, [&](const Coordinates<D>& cell) { forEachBaseSimplex(hierarchy, cell, look); });
+  forEachBaseCell<D>(
+      first, end, [&](const Coordinates<D>& cell) { forEachBaseSimplex(hierarchy, cell, look); });
 }
 
-/// Which signs the samples of a brick between two corners (inclusive) have: bit 0 negative, bit 1 positive.
+/// Which signs the samples of a brick between two corners (inclusive) have: bit 0 negative, bit 1
+/// positive.
 template <int D>
 unsigned signsBetween(const Brick<D>& brick, const typename Hierarchy<D>::Vertex& lowest,
                       const typename Hierarchy<D>::Vertex& highest) {
@@ -113,7 +117,8 @@ bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& 
   }
 }
 
-/// May samples of a simplex have both signs, those of the box around it? Signs are those of the box's samples.
+/// May samples of a simplex have both signs, those of the box around it? Signs are those of the
+/// box's samples.
 template <int D>
 bool mayCross(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
   return crossesBetween(signs, hierarchy.position(s.lowest()), hierarchy.position(s.highest()));
@@ -123,8 +128,9 @@ bool mayCross(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const Tagged
 template <int D>
 bool crosses(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
   const bool first = signs.at(hierarchy.position(s.vertices[0]));
-  return std::any_of(s.vertices.begin() + 1, s.vertices.end(),
-                     [&](const Coordinates<D>& v) { return signs.at(hierarchy.position(v)) != first; });
+  return std::any_of(s.vertices.begin() + 1, s.vertices.end(), [&](const Coordinates<D>& v) {
+    return signs.at(hierarchy.position(v)) != first;
+  });
 }
 
 /// The tube (§3): leaves with vertices of both signs. Signs are those of the box's samples.

@@ -25,7 +25,8 @@ class LinearFunction {
   template <class Values>
   LinearFunction(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s, const Values& values)
       : origin_(hierarchy.position(s.vertices[0])), value_(values(s.vertices[0])) {
-    // Vertex i differs from vertex 0 on one axis that earlier ones did not differ on: forward substitution.
+    // Vertex i differs from vertex 0 on one axis that earlier ones did not differ on: forward
+    // substitution.
     for (int i = 1; i <= D; ++i) {
       const auto at = hierarchy.position(s.vertices[i]);
       double rise = values(s.vertices[i]) - value_;

@@ -1,19 +1,22 @@
-// A mesh of the regular binary multi-triangulation (§4.2, §4.3): splits, welds and the non-local transitions they need.
+// A mesh of the regular binary multi-triangulation (§4.2, §4.3): splits, welds and the non-local
+// transitions they need.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
-#include "grid/signs.h"
 #include "bisection/tagged_simplex.h"
+#include "grid/signs.h"
 
 namespace isostar {
 
-/// A conforming mesh whose adjacent simplices differ by one level at most. It *is* a set of vertices that holds the
-/// parents of each of its vertices: a simplex is split where the set has the middle of its refinement edge.
+/// A conforming mesh whose adjacent simplices differ by one level at most. It *is* a set of
+/// vertices that holds the parents of each of its vertices: a simplex is split where the set has
+/// the middle of its refinement edge.
 ///
-/// Vertices are in finest steps, must not be negative nor beyond the padded lattice, and are asked for as the hierarchy
-/// names them; those that it does not hold (around which the box has no simplices) are in no set.
+/// Vertices are in finest steps, must not be negative nor beyond the padded lattice, and are asked
+/// for as the hierarchy names them; those that it does not hold (around which the box has no
+/// simplices) are in no set.
 template <int D>
 class Rbmt {
  public:
@@ -21,7 +24,8 @@ class Rbmt {
 
   Rbmt() = default;
   /// The base mesh (T⁰ of the paper).
-  explicit Rbmt(const Hierarchy<D>& hierarchy) : hierarchy_(hierarchy), bits_(hierarchy.paddedLattice()) {}
+  explicit Rbmt(const Hierarchy<D>& hierarchy)
+      : hierarchy_(hierarchy), bits_(hierarchy.paddedLattice()) {}
   /// The full mesh: all vertices of all octaves.
   [[nodiscard]] static Rbmt full(const Hierarchy<D>& hierarchy) {
     Rbmt mesh(hierarchy);
@@ -44,11 +48,12 @@ class Rbmt {
   [[nodiscard]] bool canSplit(const Coordinates<D>& v) const {
     if (!splittable(v)) return false;
     bool ready = true;
-    hierarchy_.forEachParent(hierarchy_.diamond(v), [&](const Coordinates<D>& p) { ready = ready && contains(p); });
+    hierarchy_.forEachParent(hierarchy_.diamond(v),
+                             [&](const Coordinates<D>& p) { ready = ready && contains(p); });
     return ready;
   }
-  /// The least set of vertices that must arrive for v to be there, itself included and last, in an order in which each
-  /// is a local split. Empty if v is there, or nowhere.
+  /// The least set of vertices that must arrive for v to be there, itself included and last, in an
+  /// order in which each is a local split. Empty if v is there, or nowhere.
   void missing(const Coordinates<D>& v, Vertices& out) const {
     out.clear();
     if (!splittable(v)) return;
@@ -68,11 +73,12 @@ class Rbmt {
   [[nodiscard]] bool canWeld(const Coordinates<D>& v) const {
     if (!weldable(v)) return false;
     bool ready = true;
-    hierarchy_.forEachChild(hierarchy_.diamond(v), [&](const Coordinates<D>& c) { ready = ready && !bits_.at(c); });
+    hierarchy_.forEachChild(hierarchy_.diamond(v),
+                            [&](const Coordinates<D>& c) { ready = ready && !bits_.at(c); });
     return ready;
   }
-  /// The least set of vertices that must go for v to go, itself included and last, in an order in which each is a local
-  /// weld. Empty if v is not there, or is of the base.
+  /// The least set of vertices that must go for v to go, itself included and last, in an order in
+  /// which each is a local weld. Empty if v is not there, or is of the base.
   void dependents(const Coordinates<D>& v, Vertices& out) const {
     out.clear();
     if (!weldable(v)) return;
@@ -88,8 +94,9 @@ class Rbmt {
     for (const auto& u : removed) bits_.set(u, false);
   }
 
-  /// Calls visit(vertex) for the vertices of a level (1 … levels) that are in the mesh, in an order of their own. The
-  /// visitor may split and weld; what it adds on this level may be visited or not.
+  /// Calls visit(vertex) for the vertices of a level (1 … levels) that are in the mesh, in an order
+  /// of their own. The visitor may split and weld; what it adds on this level may be visited or
+  /// not.
   template <class Visit>
   void forEachVertex(int depth, Visit&& visit) const {
     const int32_t half = int32_t{1} << (hierarchy_.finestLevel() - 1 - (depth - 1) / D);
@@ -99,17 +106,22 @@ class Rbmt {
       Coordinates<D> lowest = bits_.table().brick(brickIndex);
       for (int32_t& x : lowest) x *= kBrickSide;
       for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
-        if (Diamond<D>{{}, half, newAxes, depth}.axes() == axes) forEachInBrick(lowest, half, newAxes, visit);
+        if (Diamond<D>{{}, half, newAxes, depth}.axes() == axes)
+          forEachInBrick(lowest, half, newAxes, visit);
       }
     }
   }
 
  private:
-  [[nodiscard]] bool splittable(const Coordinates<D>& v) const { return hierarchy_.holds(v) && !contains(v); }
-  [[nodiscard]] bool weldable(const Coordinates<D>& v) const { return !hierarchy_.isBase(v) && contains(v); }
+  [[nodiscard]] bool splittable(const Coordinates<D>& v) const {
+    return hierarchy_.holds(v) && !contains(v);
+  }
+  [[nodiscard]] bool weldable(const Coordinates<D>& v) const {
+    return !hierarchy_.isBase(v) && contains(v);
+  }
 
-  /// v and all that `next` leads to, generation by generation, the farthest first. A generation is one level: none of
-  /// its vertices can come up again in another.
+  /// v and all that `next` leads to, generation by generation, the farthest first. A generation is
+  /// one level: none of its vertices can come up again in another.
   template <class Next>
   static void closure(const Coordinates<D>& v, Vertices& out, Next next) {
     out.push_back(v);
@@ -128,9 +140,11 @@ class Rbmt {
     std::reverse(out.begin(), out.end());
   }
 
-  /// The mesh's vertices in a brick that are fresh on these axes, on the octave with planes `half` apart.
+  /// The mesh's vertices in a brick that are fresh on these axes, on the octave with planes `half`
+  /// apart.
   template <class Visit>
-  void forEachInBrick(const Coordinates<D>& lowest, int32_t half, unsigned newAxes, Visit& visit) const {
+  void forEachInBrick(const Coordinates<D>& lowest, int32_t half, unsigned newAxes,
+                      Visit& visit) const {
     const int32_t stride = 2 * half;
     Coordinates<D> first, last;
     for (int a = 0; a < D; ++a) {

@@ -9,8 +9,9 @@
 
 namespace isostar {
 
-/// The vertices 0 … tag are a path along the axes of a cube's diagonal, from an even to an odd corner; behind them come
-/// the middles of ever larger cubes around it, in reverse order of arrival. The refinement edge is that diagonal.
+/// The vertices 0 … tag are a path along the axes of a cube's diagonal, from an even to an odd
+/// corner; behind them come the middles of ever larger cubes around it, in reverse order of
+/// arrival. The refinement edge is that diagonal.
 template <int D>
 struct TaggedSimplex {
   std::array<Coordinates<D>, D + 1> vertices{};
@@ -71,7 +72,8 @@ bool oddOrder(const auto& axes) {
 
 /// Calls visit(TaggedSimplex) for the D! simplices of a cell of the base, flat ones left out.
 template <int D, class Visit>
-void forEachBaseSimplex(const Hierarchy<D>& hierarchy, const typename Hierarchy<D>::Vertex& cell, Visit&& visit) {
+void forEachBaseSimplex(const Hierarchy<D>& hierarchy, const typename Hierarchy<D>::Vertex& cell,
+                        Visit&& visit) {
   for (uint32_t rank = 0; rank < Simplex<D>::perCell(); ++rank) {
     const auto kuhn = Simplex<D>::inCell(cell, rank);
     TaggedSimplex<D> s;
@@ -85,16 +87,17 @@ void forEachBaseSimplex(const Hierarchy<D>& hierarchy, const typename Hierarchy<
   }
 }
 
-/// Calls visit(TaggedSimplex) for every simplex around the diamond's edge, as they are before its split, flat ones left
-/// out; the hierarchy holds the diamond's vertex.
-/// With c axes along the edge there are c! (D-c)! 2^(D-c): each a path along the edge's cube and a way outwards.
+/// Calls visit(TaggedSimplex) for every simplex around the diamond's edge, as they are before its
+/// split, flat ones left out; the hierarchy holds the diamond's vertex. With c axes along the edge
+/// there are c! (D-c)! 2^(D-c): each a path along the edge's cube and a way outwards.
 template <int D, class Visit>
 void forEachSimplexOf(const Diamond<D>& d, const Hierarchy<D>& hierarchy, Visit&& visit) {
   const int along = d.axes();
   const auto even = d.evenEnd(), odd = d.oddEnd();
   std::array<int, D> axes;
   std::iota(axes.begin(), axes.end(), 0);
-  const auto across = std::stable_partition(axes.begin(), axes.end(), [&](int a) { return d.along(a); });
+  const auto across =
+      std::stable_partition(axes.begin(), axes.end(), [&](int a) { return d.along(a); });
   do {
     do {
       for (unsigned upwards = 0; upwards < 1u << (D - along); ++upwards) {
@@ -107,7 +110,8 @@ void forEachSimplexOf(const Diamond<D>& d, const Hierarchy<D>& hierarchy, Visit&
           s.mirrored = s.mirrored != !up;
           s.vertices[i + 1] = i == along ? d.vertex : s.vertices[i];
           s.vertices[i + 1][a] = i < along ? odd[a] : d.vertex[a] + (up ? d.half : -d.half);
-          inside = inside && (i < along || (up ? d.vertex[a] < hierarchy.box()[a] : d.vertex[a] > 0));
+          inside =
+              inside && (i < along || (up ? d.vertex[a] < hierarchy.box()[a] : d.vertex[a] > 0));
         }
         if (inside) visit(s);
       }

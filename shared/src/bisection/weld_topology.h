@@ -8,14 +8,16 @@ namespace isostar {
 /// The vertices of one sign in the link of a diamond's edge, and the simplices between them.
 template <int D>
 class LinkPart {
-  static_assert(D == 2 || D == 3 || D == 4, "a link has up to 26 vertices, bits of a word, and holes of one kind");
+  static_assert(D == 2 || D == 3 || D == 4,
+                "a link has up to 26 vertices, bits of a word, and holes of one kind");
 
  public:
   LinkPart(const Diamond<D>& d, const Hierarchy<D>& hierarchy, bool sign, const auto& positive) {
     forEachSimplexOf(d, hierarchy, [&](const TaggedSimplex<D>& s) {
       uint32_t facet = 0;
       for (int i = 1; i <= D; ++i) {
-        if (i != s.tag && positive(s.vertices[i]) == sign) facet |= uint32_t{1} << number(s.vertices[i]);
+        if (i != s.tag && positive(s.vertices[i]) == sign)
+          facet |= uint32_t{1} << number(s.vertices[i]);
       }
       for (uint32_t face = facet; face != 0; face = (face - 1) & facet) faces_.push_back(face);
     });
@@ -56,10 +58,12 @@ class LinkPart {
   std::vector<uint32_t> faces_;
 };
 
-/// Beyond the box's end in its own edge's direction the vertex lies in the box's boundary though its edge does not: the
-/// weld makes another triangulation of that piece of boundary. It is harmless where the piece has one sign.
+/// Beyond the box's end in its own edge's direction the vertex lies in the box's boundary though
+/// its edge does not: the weld makes another triangulation of that piece of boundary. It is
+/// harmless where the piece has one sign.
 template <int D>
-bool endKeepsTopology(const Diamond<D>& d, const Hierarchy<D>& hierarchy, int axis, const auto& positive) {
+bool endKeepsTopology(const Diamond<D>& d, const Hierarchy<D>& hierarchy, int axis,
+                      const auto& positive) {
   bool same = true;
   forEachSimplexOf(d, hierarchy, [&](const TaggedSimplex<D>& s) {
     for (const auto& v : s.vertices) {
@@ -69,13 +73,16 @@ bool endKeepsTopology(const Diamond<D>& d, const Hierarchy<D>& hierarchy, int ax
   return same;
 }
 
-/// Is the isosurface in the star of v, which has no children in the mesh, the same after the weld of v but for a
-/// deformation that leaves the star's boundary alone? `positive(vertex)` → bool are the signs.
+/// Is the isosurface in the star of v, which has no children in the mesh, the same after the weld
+/// of v but for a deformation that leaves the star's boundary alone? `positive(vertex)` → bool are
+/// the signs.
 ///
-/// Sufficient in any dimension here: the edge is crossed at most once, that is, one of its ends has v's sign. Where it
-/// is crossed twice: exactly if both signs' parts of the edge's link are contractible. See docs/design.md for why.
+/// Sufficient in any dimension here: the edge is crossed at most once, that is, one of its ends has
+/// v's sign. Where it is crossed twice: exactly if both signs' parts of the edge's link are
+/// contractible. See docs/design.md for why.
 template <int D>
-bool weldKeepsTopology(const Hierarchy<D>& hierarchy, const typename Hierarchy<D>::Vertex& v, const auto& positive) {
+bool weldKeepsTopology(const Hierarchy<D>& hierarchy, const typename Hierarchy<D>::Vertex& v,
+                       const auto& positive) {
   const auto d = hierarchy.diamond(v);
   for (int a = 0; a < D; ++a) {
     if (!d.along(a) || v[a] < hierarchy.box()[a]) continue;

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "coding/adaptive/adaptive_field.h"
-#include "coding/isovalues/further_isovalues.h"
 #include "coding/geometry/displacement_coder.h"
 #include "coding/geometry/domain_coder.h"
+#include "coding/geometry/exponent_coder.h"
 #include "coding/geometry/geometry_pass.h"
 #include "coding/geometry/magnitude_coder.h"
+#include "coding/isovalues/further_isovalues.h"
+#include "coding/signs/refinement_coder.h"
+#include "container/stream.h"
 #include "estimate/hints.h"
 #include "grid/refined_signs.h"
-#include "coding/geometry/exponent_coder.h"
-#include "coding/signs/refinement_coder.h"
 #include "util/cold_path.h"
-#include "container/stream.h"
 
 namespace isostar {
 
@@ -54,8 +54,11 @@ struct CodecState {
   template <class Exchange>
   [[nodiscard]] ISOSTAR_COLD SmoothingFilter codeFilter(Exchange& exchange) {
     const SmoothingFilter actual = exchange.filter();
-    if (filterModel[0].bit(exchange.coder(), actual == SmoothingFilter::Narrow)) return SmoothingFilter::Narrow;
-    return filterModel[1].bit(exchange.coder(), actual == SmoothingFilter::Middle) ? SmoothingFilter::Middle : SmoothingFilter::Wide;
+    if (filterModel[0].bit(exchange.coder(), actual == SmoothingFilter::Narrow))
+      return SmoothingFilter::Narrow;
+    return filterModel[1].bit(exchange.coder(), actual == SmoothingFilter::Middle)
+               ? SmoothingFilter::Middle
+               : SmoothingFilter::Wide;
   }
 
   /// The next octave of a mesh that has been welded as far as the topology allows.
@@ -63,7 +66,8 @@ struct CodecState {
   void fill(Exchange& exchange, SmoothingFilter shown) {
     partial->mesh.fill(exchange, level + 1);
     if (exchange.exhausted()) return;
-    filter = shown;  // of the finest octave; before it the mesh is shown as its topology was planned
+    filter =
+        shown;  // of the finest octave; before it the mesh is shown as its topology was planned
     if (++level < header.finestLevel()) return;
     signs = partial->mesh.takeSigns();
     partial.reset();
@@ -96,7 +100,8 @@ struct CodecState {
   ISOSTAR_COLD void codeDomain(Exchange& exchange) {
     findActive();
     domain = Scalars<D>(active.size());
-    DomainCoder<D>(header.domainReach()).code(exchange, signs, active, header.polygonizer == Polygonizer::Tetrahedra, domain);
+    DomainCoder<D>(header.domainReach())
+        .code(exchange, signs, active, header.polygonizer == Polygonizer::Tetrahedra, domain);
   }
 
   template <class Exchange>
@@ -127,53 +132,67 @@ struct CodecState {
   /// Of the isovalue whose signs have been told last.
   template <class Exchange>
   void furtherGeometry(Exchange& exchange, const GeometryPass<D>& pass) {
-    if (pass.kind == LayerKind::Exponents) further.exponents(exchange, pass.members, pass.depth);
-    else further.magnitudes(exchange, pass.magnitudePass(false));
+    if (pass.kind == LayerKind::Exponents)
+      further.exponents(exchange, pass.members, pass.depth);
+    else
+      further.magnitudes(exchange, pass.magnitudePass(false));
   }
 
   /// Of the octave that is known, of the first isovalue.
   [[nodiscard]] Hints<D> hints() const { return {filter, &displacements}; }
-  [[nodiscard]] typename FurtherIsovalues<D>::First first() const { return {header.isovalue, signs, scalars}; }
+  [[nodiscard]] typename FurtherIsovalues<D>::First first() const {
+    return {header.isovalue, signs, scalars};
+  }
 
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
   [[nodiscard]] uint64_t memoryBesideScalars() const {
-    return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() + (partial ? partial->memory() : 0) +
-           (domain.tableSize() != 0 ? domain.memory() : 0) + displacements.memory();
+    return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() +
+           (partial ? partial->memory() : 0) + (domain.tableSize() != 0 ? domain.memory() : 0) +
+           displacements.memory();
   }
   /// What it takes to begin the first geometry layer, or the domain's, or to go on.
   [[nodiscard]] uint64_t memoryForScalars() const {
     const std::size_t brickIndices = signs.table().total();
-    return memory() + memoryToFindActive() + (scalars.tableSize() == 0 ? Scalars<D>::memoryOf(brickIndices, 1) : 0);
+    return memory() + memoryToFindActive() +
+           (scalars.tableSize() == 0 ? Scalars<D>::memoryOf(brickIndices, 1) : 0);
   }
   /// The same for displacements.
   [[nodiscard]] uint64_t memoryForDisplacements() const {
-    return memory() + memoryToFindActive() + (displacements.tableSize() == 0 ? Displacements<D>::memoryToBegin(signs.table().total()) : 0);
+    return memory() + memoryToFindActive() +
+           (displacements.tableSize() == 0 ? Displacements<D>::memoryToBegin(signs.table().total())
+                                           : 0);
   }
-  [[nodiscard]] uint64_t memoryToFindActive() const { return active.empty() ? signs.table().total() : 0; }
+  [[nodiscard]] uint64_t memoryToFindActive() const {
+    return active.empty() ? signs.table().total() : 0;
+  }
   /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
   [[nodiscard]] uint64_t memoryToRefine() const {
     if (partial) return memoryBesideScalars() + partial->mesh.memoryToFill(level + 1);
     const BrickTable<D> finer(signs.lattice().finer());
-    return memoryBesideScalars() + finer.total() + Signs<D>::memoryToFill(finer.total(), mostRefinedBricks(signs, finer));
+    return memoryBesideScalars() + finer.total() +
+           Signs<D>::memoryToFill(finer.total(), mostRefinedBricks(signs, finer));
   }
 
   const Header& header;
   Signs<D> signs;
   SmoothingFilter filter = SmoothingFilter::Narrow;  // of the octave that is known
   int level;
-  /// Instead of the signs: of a stream that keeps the topology, before its finest octave; and of one that ends within an octave.
+  /// Instead of the signs: of a stream that keeps the topology, before its finest octave; and of
+  /// one that ends within an octave.
   std::optional<AdaptiveField<D>> partial;
   Signs<D> unfinished;  // of an octave that has been told in part
   SmoothingFilter unfinishedFilter = SmoothingFilter::Narrow;
   std::array<BitModel, 2> filterModel;
   RefinementCoder<D> refinement;
-  std::vector<uint8_t> active;  // bricks of the octave that is known; empty before its displacements, its scalars or the domain are told
+  std::vector<uint8_t> active;     // bricks of the octave that is known; empty before its
+                                   // displacements, its scalars or the domain are told
   Displacements<D> displacements;  // of the octave that is known
   Scalars<D> scalars;
-  Scalars<D> domain;  // of a trimmed stream: see DomainCoder
-  bool magnitudesRefined = false;          // has a pass that halves intervals been told?
-  std::array<bool, 2> coded{};  // by Members: have their scalars been told, if perhaps not all of them?
+  Scalars<D> domain;               // of a trimmed stream: see DomainCoder
+  bool magnitudesRefined = false;  // has a pass that halves intervals been told?
+  std::array<bool, 2>
+      coded{};  // by Members: have their scalars been told, if perhaps not all of them?
   DisplacementCoder<D> displacing;
   ExponentCoder<D> exponents;
   MagnitudeCoder<D> magnitudes;

@@ -1,4 +1,5 @@
-// Bytes of the container: little-endian, variable-length integers of seven bits a byte; the reader never overruns.
+// Bytes of the container: little-endian, variable-length integers of seven bits a byte; the reader
+// never overruns.
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@ namespace isostar {
 /// Powers of ten that doubles hold exactly.
 inline constexpr std::array<double, 8> kTens{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
 
-/// How a real number is told: a whole number of these plus the count of decimal digits behind the point, or one of the others.
+/// How a real number is told: a whole number of these plus the count of decimal digits behind the
+/// point, or one of the others.
 inline constexpr uint64_t kRealForms = 10, kSingle = 8, kDouble = 9;
 
 class ByteWriter {
@@ -39,7 +41,8 @@ class ByteWriter {
     u8(v);
   }
   void zigzag(int64_t v) { varint(folded(v)); }
-  /// Any number, exactly: one that a person would write as a short decimal fraction takes few bytes.
+  /// Any number, exactly: one that a person would write as a short decimal fraction takes few
+  /// bytes.
   void real(double v) {
     for (std::size_t digits = 0; digits < kTens.size(); ++digits) {
       const double whole = v * kTens[digits];
@@ -51,13 +54,17 @@ class ByteWriter {
     const auto narrow = static_cast<float>(v);
     const bool exact = double{narrow} == v;
     varint(exact ? kSingle : kDouble);
-    if (exact) f32(narrow);
-    else f64(v);
+    if (exact)
+      f32(narrow);
+    else
+      f64(v);
   }
 
  private:
   /// Small numbers of either sign become small ones: 0, -1, 1, -2 …
-  static uint64_t folded(int64_t v) { return static_cast<uint64_t>(v) << 1 ^ static_cast<uint64_t>(v >> 63); }
+  static uint64_t folded(int64_t v) {
+    return static_cast<uint64_t>(v) << 1 ^ static_cast<uint64_t>(v >> 63);
+  }
 
   std::vector<std::byte>& out_;
 };
@@ -106,7 +113,9 @@ class ByteReader {
   [[nodiscard]] bool malformed() const { return malformed_; }
 
  private:
-  static int64_t unfolded(uint64_t v) { return static_cast<int64_t>(v >> 1) ^ -static_cast<int64_t>(v & 1); }
+  static int64_t unfolded(uint64_t v) {
+    return static_cast<int64_t>(v >> 1) ^ -static_cast<int64_t>(v & 1);
+  }
 
   std::span<const std::byte> in_;
   std::size_t at_ = 0;

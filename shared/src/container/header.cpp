@@ -19,19 +19,22 @@ bool invertible(const Placement& p) {
   double lengths = 1;
   for (std::size_t a = 0; a < 3; ++a) {
     const double length = std::hypot(p.direction[a], p.direction[a + 3], p.direction[a + 6]);
-    if (!(std::abs(p.origin[a]) < kFar) || !(p.spacing[a] > 1 / kWide && p.spacing[a] < kWide)) return false;
+    if (!(std::abs(p.origin[a]) < kFar) || !(p.spacing[a] > 1 / kWide && p.spacing[a] < kWide))
+      return false;
     if (!(length > 1 / kStretched && length < kStretched)) return false;
     lengths *= length;
   }
   const auto& d = p.direction;
-  const double determinant =
-      d[0] * (d[4] * d[8] - d[5] * d[7]) - d[1] * (d[3] * d[8] - d[5] * d[6]) + d[2] * (d[3] * d[7] - d[4] * d[6]);
+  const double determinant = d[0] * (d[4] * d[8] - d[5] * d[7]) -
+                             d[1] * (d[3] * d[8] - d[5] * d[6]) +
+                             d[2] * (d[3] * d[7] - d[4] * d[6]);
   return std::abs(determinant) > kFlat * lengths;
 }
 
 int Header::finestLevel() const {
   int32_t cells = 0;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) cells = std::max(cells, size[a] - 1);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+    cells = std::max(cells, size[a] - 1);
   int finestLevel = 0;
   while (cells > int64_t{kMostBaseCells} << finestLevel) ++finestLevel;
   return finestLevel;
@@ -48,7 +51,8 @@ int32_t Header::domainFineness() const {
 int32_t Header::domainReach() const {
   constexpr double kFarthest = 32;  // grid steps; a cell longer than that is cut where it may
   const auto& s = placement.spacing;
-  const double diagonal = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / std::min({s[0], s[1], s[2]});
+  const double diagonal =
+      std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / std::min({s[0], s[1], s[2]});
   return static_cast<int32_t>(std::ceil(std::min(diagonal, kFarthest) * domainFineness()));
 }
 
@@ -77,8 +81,11 @@ bool Header::spans(double other) const {
 }
 
 int32_t Header::shift(double other) const {
-  const auto wholeSteps = [&](double value) { return std::floor(stepsOf(value, quantizationStep)); };
-  const double steps = whole ? wholeSteps(other) - wholeSteps(isovalue) : std::round((other - isovalue) / quantizationStep);
+  const auto wholeSteps = [&](double value) {
+    return std::floor(stepsOf(value, quantizationStep));
+  };
+  const double steps = whole ? wholeSteps(other) - wholeSteps(isovalue)
+                             : std::round((other - isovalue) / quantizationStep);
   return static_cast<int32_t>(std::clamp<double>(steps, -kFarSteps, kFarSteps));
 }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "isostar/isostar.h"
 #include "grid/lattice.h"
+#include "isostar/isostar.h"
 
 namespace isostar {
 
@@ -13,17 +13,19 @@ inline constexpr int kLeastDimension = 2, kMostDimension = 4;
 /// What a decoder must know before the first layer.
 struct Header {
   int version = kFormatVersion;
-  int dimension = 3;           // 2: an image; 3: a volume; 4: a sequence of volumes, time last
-  Coordinates<4> size{};       // of the first `dimension` axes
-  Placement placement;         // of the first three axes; an image's third spacing is its smallest
+  int dimension = 3;      // 2: an image; 3: a volume; 4: a sequence of volumes, time last
+  Coordinates<4> size{};  // of the first `dimension` axes
+  Placement placement;    // of the first three axes; an image's third spacing is its smallest
   double isovalue = 0;
-  std::vector<double> furtherIsovalues;  // further isovalues (§5.4), in the order in which they are told
+  std::vector<double>
+      furtherIsovalues;  // further isovalues (§5.4), in the order in which they are told
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
-  bool adaptive = false;   // layers are those of an AdaptiveMesh
-  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest topology, each refinement fills an octave
-  bool trimmed = false;  // a layer tells where the domain ends
-  bool fitted = false;   // intervals are halved by FitCoder
+  bool adaptive = false;       // layers are those of an AdaptiveMesh
+  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest topology, each
+                               // refinement fills an octave
+  bool trimmed = false;        // a layer tells where the domain ends
+  bool fitted = false;         // intervals are halved by FitCoder
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface that `cubes` makes
   /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.
@@ -40,11 +42,13 @@ struct Header {
 
   /// Refinements from the base to the source's own grid: as few as the base allows.
   [[nodiscard]] int finestLevel() const;
-  /// Quanta to a grid step in which a domain's distances are told: as fine as the bound asks, 32 at most.
+  /// Quanta to a grid step in which a domain's distances are told: as fine as the bound asks, 32 at
+  /// most.
   [[nodiscard]] int32_t domainFineness() const;
   /// The diagonal of a cell in such quanta: no distance further away matters.
   [[nodiscard]] int32_t domainReach() const;
-  /// Offsets of samples that are whole numbers of quanta: the first one above the isovalue is positive.
+  /// Offsets of samples that are whole numbers of quanta: the first one above the isovalue is
+  /// positive.
   void countWhole(double step);
   /// The same stream as seen from another of its isovalues.
   [[nodiscard]] Header at(double other) const;

@@ -9,7 +9,8 @@
 namespace isostar {
 namespace {
 
-/// Three letters; the fourth byte has its top bit set, as no text has, then the version and the dimension.
+/// Three letters; the fourth byte has its top bit set, as no text has, then the version and the
+/// dimension.
 constexpr std::array<uint8_t, 3> kMagic{'i', 's', 'o'};
 constexpr uint32_t kBinary = 0x80;
 constexpr std::size_t kShort = 1024;  // bytes of layers with short checksums
@@ -36,15 +37,20 @@ uint32_t pack(double error) {
 }
 double unpack(uint32_t code) {
   if (code == 0) return 0;
-  constexpr std::array<double, 8> kRoots{1, 1.0905077, 1.1892071, 1.2968396, 1.4142136, 1.5422108, 1.6817928, 1.8340081};
+  constexpr std::array<double, 8> kRoots{1,         1.0905077, 1.1892071, 1.2968396,
+                                         1.4142136, 1.5422108, 1.6817928, 1.8340081};
   return std::ldexp(kRoots[code % 8], static_cast<int>(code / 8) - 20);
 }
 
 /// Kind and level of a layer in a byte.
-uint32_t packed(const LayerHead& head) { return static_cast<uint32_t>(head.kind) << 5 | static_cast<uint32_t>(head.level); }
+uint32_t packed(const LayerHead& head) {
+  return static_cast<uint32_t>(head.kind) << 5 | static_cast<uint32_t>(head.level);
+}
 
 /// How many axes of a placement a stream tells.
-std::size_t placed(const Header& h) { return static_cast<std::size_t>(std::min(h.dimension, 3)); }
+std::size_t placed(const Header& h) {
+  return static_cast<std::size_t>(std::min(h.dimension, 3));
+}
 
 template <std::size_t N>
 bool differ(const std::array<double, N>& a, const std::array<double, N>& b, std::size_t axes) {
@@ -53,7 +59,9 @@ bool differ(const std::array<double, N>& a, const std::array<double, N>& b, std:
 
 }  // namespace
 
-uint32_t checksum(std::span<const std::byte> header) { return XXH32(header.data(), header.size(), 0) & 0xFFFF; }
+uint32_t checksum(std::span<const std::byte> header) {
+  return XXH32(header.data(), header.size(), 0) & 0xFFFF;
+}
 
 uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer) {
   const uint32_t sum = XXH32(layer.data(), layer.size(), packed(head) << 8 | pack(head.error));
@@ -65,15 +73,21 @@ void write(ByteWriter& out, const Header& h) {
   const std::size_t axes = placed(h);
   const auto& [origin, spacing, direction] = h.placement;
   const bool turned = h.dimension > 2 && direction != plain.direction;
-  const uint32_t flags = (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) | (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
-                         (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) | (differ(origin, plain.origin, axes) ? kOrigin : 0u) |
-                         (turned ? kDirection : 0u) | (h.whole ? kWhole : 0u) | (h.whole && h.quantizationStep != 1 ? kByteSteps : 0u) | (h.furtherIsovalues.empty() ? 0u : kNear) |
-                         (h.keepsTopology ? kKeepsTopology : 0u) | (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
+  const uint32_t flags =
+      (h.lossless ? kLossless : 0u) | (h.adaptive ? kAdaptive : 0u) |
+      (h.polygonizer == Polygonizer::Tetrahedra ? kTetrahedra : 0u) |
+      (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) |
+      (differ(origin, plain.origin, axes) ? kOrigin : 0u) | (turned ? kDirection : 0u) |
+      (h.whole ? kWhole : 0u) | (h.whole && h.quantizationStep != 1 ? kByteSteps : 0u) |
+      (h.furtherIsovalues.empty() ? 0u : kNear) | (h.keepsTopology ? kKeepsTopology : 0u) |
+      (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
-  w.u8(kBinary | static_cast<uint32_t>(h.version) << 2 | static_cast<uint32_t>(h.dimension - kLeastDimension));
+  w.u8(kBinary | static_cast<uint32_t>(h.version) << 2 |
+       static_cast<uint32_t>(h.dimension - kLeastDimension));
   w.varint(flags);
-  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) w.varint(static_cast<uint64_t>(h.size[a]));
+  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a)
+    w.varint(static_cast<uint64_t>(h.size[a]));
   w.real(h.isovalue);
   if (!h.furtherIsovalues.empty()) w.varint(h.furtherIsovalues.size());
   for (const double other : h.furtherIsovalues) w.real(other);
@@ -82,7 +96,8 @@ void write(ByteWriter& out, const Header& h) {
   w.varint(h.vertices);
   for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) w.real(spacing[a]);
   for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) w.real(origin[a]);
-  if (turned) for (double v : direction) w.real(v);
+  if (turned)
+    for (double v : direction) w.real(v);
   w.varint(h.bytes);
   const uint32_t sum = checksum(body);
   for (uint8_t c : kMagic) out.u8(c);
@@ -94,8 +109,10 @@ void write(ByteWriter& out, const LayerHead& head) {
   out.u8(packed(head));
   out.u8(pack(head.error));
   out.varint(head.bytes);
-  if (head.bytes < kShort) out.u16(head.checksum);
-  else out.u32(head.checksum);
+  if (head.bytes < kShort)
+    out.u16(head.checksum);
+  else
+    out.u32(head.checksum);
 }
 
 void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer) {
@@ -144,8 +161,10 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
     sane = sane && std::isfinite(h.furtherIsovalues.back());
   }
   int64_t exponent = 0;
-  if ((flags & kWhole) != 0) h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
-  else exponent = r.zigzag();
+  if ((flags & kWhole) != 0)
+    h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
+  else
+    exponent = r.zigzag();
   sane = sane && std::abs(exponent) < 1000;
   if (!h.whole && sane) h.quantizationStep = std::ldexp(1.0, static_cast<int>(exponent));
   if (!h.lossless) h.maxError = r.real();
@@ -154,7 +173,8 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   auto& [origin, spacing, direction] = h.placement;
   for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) spacing[a] = r.real();
   for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) origin[a] = r.real();
-  if ((flags & kDirection) != 0) for (double& v : direction) v = r.real();
+  if ((flags & kDirection) != 0)
+    for (double& v : direction) v = r.real();
   if (h.dimension == 2) spacing[2] = std::min(spacing[0], spacing[1]);
   h.bytes = r.varint();
   const std::size_t length = r.position();
@@ -162,10 +182,14 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (r.malformed()) return Error::Corrupt;
   if (r.overrun()) return Error::Truncated;
   if (expected != checksum(body.first(length))) return Error::Corrupt;
-  if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) || !invertible(h.placement)) return Error::Corrupt;
+  if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) ||
+      !invertible(h.placement))
+    return Error::Corrupt;
   if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
   if (h.adaptive && (h.keepsTopology || !h.furtherIsovalues.empty())) return Error::Corrupt;
-  if (h.trimmed && (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.furtherIsovalues.empty())) return Error::Corrupt;
+  if (h.trimmed &&
+      (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.furtherIsovalues.empty()))
+    return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;
@@ -181,7 +205,8 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   const auto kind = static_cast<LayerKind>(first >> 5);
   const uint32_t level = first & 31;
   const bool numbered = level >= 1 && level <= header.furtherIsovalues.size();
-  if (isFurther(kind) ? !numbered : level > static_cast<uint32_t>(header.finestLevel())) return Error::Corrupt;
+  if (isFurther(kind) ? !numbered : level > static_cast<uint32_t>(header.finestLevel()))
+    return Error::Corrupt;
   out = {kind, static_cast<int>(level), unpack(error), bytes, sum};
   used = r.position();
   return Error::None;

@@ -9,8 +9,18 @@
 
 namespace isostar {
 
-/// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead of the octave.
-enum class LayerKind : uint8_t { Base = 0, Refinement = 1, Exponents = 2, Magnitudes = 3, Domain = 4, Displacement = 5, FurtherSigns = 6, FurtherGeometry = 7 };
+/// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead
+/// of the octave.
+enum class LayerKind : uint8_t {
+  Base = 0,
+  Refinement = 1,
+  Exponents = 2,
+  Magnitudes = 3,
+  Domain = 4,
+  Displacement = 5,
+  FurtherSigns = 6,
+  FurtherGeometry = 7
+};
 
 struct LayerHead {
   LayerKind kind = LayerKind::Base;
@@ -20,7 +30,9 @@ struct LayerHead {
   uint32_t checksum = 0;
 };
 
-[[nodiscard]] inline bool isFurther(LayerKind kind) { return kind == LayerKind::FurtherSigns || kind == LayerKind::FurtherGeometry; }
+[[nodiscard]] inline bool isFurther(LayerKind kind) {
+  return kind == LayerKind::FurtherSigns || kind == LayerKind::FurtherGeometry;
+}
 
 inline constexpr uint64_t kMostLayers = 255;
 
@@ -31,7 +43,8 @@ void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::by
 
 /// Truncated where more bytes are needed; `used` then stays as it is.
 [[nodiscard]] Error read(std::span<const std::byte> in, Header& out, std::size_t& used);
-[[nodiscard]] Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, std::size_t& used);
+[[nodiscard]] Error read(std::span<const std::byte> in, const Header& header, LayerHead& out,
+                         std::size_t& used);
 
 /// Of a layer under the other fields of its head; of 16 bits for a short one.
 [[nodiscard]] uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer);

@@ -1,46 +1,62 @@
-// The surface at an isovalue that has not been told, drawn from those that have (§5.4): for display only.
+// The surface at an isovalue that has not been told, drawn from those that have (§5.4): for display
+// only.
 #pragma once
 
 #include "coding/isovalues/further_isovalues.h"
 
 namespace isostar {
 
-/// A vertex with a known interval is where its middle is. Others keep the sign that the isovalues told on both sides
-/// share; where these differ, the mean of what is known beside the vertex decides, or else the middle between both.
+/// A vertex with a known interval is where its middle is. Others keep the sign that the isovalues
+/// told on both sides share; where these differ, the mean of what is known beside the vertex
+/// decides, or else the middle between both.
 template <int D>
 class Between {
  public:
-  /// `quanta` above the first isovalue; `offset` is that of its positive scalars (Header::positiveOffset).
-  Between(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first, double isovalue, double steps, double offset)
+  /// `quanta` above the first isovalue; `offset` is that of its positive scalars
+  /// (Header::positiveOffset).
+  Between(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first,
+          double isovalue, double steps, double offset)
       : scalars_(further.seenFrom(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
     const auto neighbours = further.neighbours(first, isovalue);
     const auto& nearest = neighbours.nearest(isovalue);
     signs_ = *nearest.signs;
-    // An interval's middle is half a quantum below what Scalars keep: that is the offset of all of them.
-    const auto inScalars = [&](double isoStep) { return std::clamp(std::ldexp(2 * isoStep + 1 - 2 * offset, finer_), -kMost, kMost); };
+    // An interval's middle is half a quantum below what Scalars keep: that is the offset of all of
+    // them.
+    const auto inScalars = [&](double isoStep) {
+      return std::clamp(std::ldexp(2 * isoStep + 1 - 2 * offset, finer_), -kMost, kMost);
+    };
     zero_ = std::llround(inScalars(steps));
     if (neighbours.below && neighbours.above) {
-      middle_ = std::llround(std::ldexp(double(neighbours.below->isoStep) + neighbours.above->isoStep, finer_));
+      middle_ = std::llround(
+          std::ldexp(double(neighbours.below->isoStep) + neighbours.above->isoStep, finer_));
       below_ = neighbours.below->signs;
       above_ = neighbours.above->signs;
     }
-    for (std::size_t brickIndex = 0; brickIndex < scalars_.tableSize(); ++brickIndex) brick(brickIndex);
+    for (std::size_t brickIndex = 0; brickIndex < scalars_.tableSize(); ++brickIndex)
+      brick(brickIndex);
     active_ = activeBricks(signs_);
   }
 
   /// Bytes that it takes at most to make it.
-  [[nodiscard]] static uint64_t memoryToMake(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first, double isovalue) {
+  [[nodiscard]] static uint64_t memoryToMake(const FurtherIsovalues<D>& further,
+                                             const typename FurtherIsovalues<D>::First& first,
+                                             double isovalue) {
     const auto neighbours = further.neighbours(first, isovalue);
     const uint64_t brickIndices = first.signs.table().total(), seen = further.bricksSeen(first);
     uint64_t bricks = seen;
-    for (std::size_t brickIndex = 0; neighbours.below && neighbours.above && brickIndex < brickIndices; ++brickIndex) {
+    for (std::size_t brickIndex = 0;
+         neighbours.below && neighbours.above && brickIndex < brickIndices; ++brickIndex) {
       bricks += splits(*neighbours.below->signs, *neighbours.above->signs, brickIndex) ? 1 : 0;
     }
-    return Scalars<D>::memoryOf(brickIndices, bricks) + Scalars<D>::memoryOf(brickIndices, seen) + brickIndices +
-           Signs<D>::memoryToFill(brickIndices, neighbours.nearest(isovalue).signs->brickCount() + bricks);
+    return Scalars<D>::memoryOf(brickIndices, bricks) + Scalars<D>::memoryOf(brickIndices, seen) +
+           brickIndices +
+           Signs<D>::memoryToFill(brickIndices,
+                                  neighbours.nearest(isovalue).signs->brickCount() + bricks);
   }
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return scalars_.memory() + known_.memory() + signs_.memory() + active_.size(); }
+  [[nodiscard]] uint64_t memory() const {
+    return scalars_.memory() + known_.memory() + signs_.memory() + active_.size();
+  }
 
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   [[nodiscard]] const std::vector<uint8_t>& active() const { return active_; }
@@ -53,7 +69,8 @@ class Between {
 
   /// May a brick have vertices between two isovalues?
   static bool splits(const Signs<D>& below, const Signs<D>& above, std::size_t brickIndex) {
-    return below.index(brickIndex) != Signs<D>::kNegative && above.index(brickIndex) != Signs<D>::kPositive;
+    return below.index(brickIndex) != Signs<D>::kNegative &&
+           above.index(brickIndex) != Signs<D>::kPositive;
   }
 
   void brick(std::size_t brickIndex) {
@@ -63,15 +80,19 @@ class Between {
     const auto& coded = known_.at(brickIndex);
     if (split) window_.load(known_, signs_.table(), signs_.table().brick(brickIndex));
     for (std::size_t r = 0; r < bits.rows.size(); ++r) {
-      const unsigned unsure = split ? below_->brickAt(brickIndex).rows[r] & ~unsigned{above_->brickAt(brickIndex).rows[r]} : 0;
+      const unsigned unsure = split ? below_->brickAt(brickIndex).rows[r] &
+                                          ~unsigned{above_->brickAt(brickIndex).rows[r]}
+                                    : 0;
       for (int x = 0; x < kBrickSide; ++x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         const bool open = (unsure >> x & 1) != 0;
         if (!coded.knows(v) && !open) continue;
         const int64_t value = (coded.knows(v) ? coded.value[v] : around(r, x)) - zero_;
         // Which side of the two isovalues told it is on, is certain.
-        const bool sure = below_ != nullptr && !open, positive = sure ? (bits.rows[r] >> x & 1) != 0 : value > 0;
-        const auto size = static_cast<int32_t>(std::clamp<int64_t>(std::abs(value), 1, INT32_MAX / 2));
+        const bool sure = below_ != nullptr && !open,
+                   positive = sure ? (bits.rows[r] >> x & 1) != 0 : value > 0;
+        const auto size =
+            static_cast<int32_t>(std::clamp<int64_t>(std::abs(value), 1, INT32_MAX / 2));
         scalars_.writable(brickIndex).value[v] = positive ? size : -size;
         bits.rows[r] = static_cast<uint8_t>((bits.rows[r] & ~(1u << x)) | unsigned{positive} << x);
       }

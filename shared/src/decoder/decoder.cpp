@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "isostar/isostar.h"
 #include "decoder/reconstruction.h"
+#include "isostar/isostar.h"
 #include "util/cold_path.h"
 
 namespace isostar {
@@ -10,11 +10,15 @@ namespace {
 
 const char* kindName(LayerKind kind) {
   switch (kind) {
-    case LayerKind::Base: return "base";
+    case LayerKind::Base:
+      return "base";
     case LayerKind::Refinement:
-    case LayerKind::FurtherSigns: return "refinement";
-    case LayerKind::Domain: return "domain";
-    default: return "geometry";
+    case LayerKind::FurtherSigns:
+      return "refinement";
+    case LayerKind::Domain:
+      return "domain";
+    default:
+      return "geometry";
   }
 }
 
@@ -41,15 +45,19 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
 }
 
 /// A layer whose own bytes begin at `start`.
-void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes, std::size_t start) {
+void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes,
+              std::size_t start) {
   const bool near = isFurther(head.kind);
   info.headerBytes += headBytes;
-  info.layers.push_back({kindName(head.kind), near ? header.finestLevel() : head.level, start + head.bytes, head.bytes, head.error, near ? head.level : 0});
+  info.layers.push_back({kindName(head.kind), near ? header.finestLevel() : head.level,
+                         start + head.bytes, head.bytes, head.error, near ? head.level : 0});
 }
 
 /// The head at the beginning of what is left of a stream, of which `stream` may not have arrived.
-Error readHead(std::span<const std::byte> arrived, uint64_t left, const Header& header, LayerHead& head, std::size_t& used) {
-  const Error error = read(arrived.first(std::min<uint64_t>(arrived.size(), left)), header, head, used);
+Error readHead(std::span<const std::byte> arrived, uint64_t left, const Header& header,
+               LayerHead& head, std::size_t& used) {
+  const Error error =
+      read(arrived.first(std::min<uint64_t>(arrived.size(), left)), header, head, used);
   const bool whole = arrived.size() >= left;
   if (error == Error::Truncated && whole) return Error::Corrupt;
   return error == Error::None && head.bytes > left - used ? Error::Corrupt : error;
@@ -92,7 +100,8 @@ struct Decoder::State {
   /// Can a surface be made of what has come?
   [[nodiscard]] Error shows(const MeshOptions& options) const {
     if (!known) return Error::Truncated;
-    return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None : Error::BadArgument;
+    return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None
+                                                                      : Error::BadArgument;
   }
   [[nodiscard]] bool isFinal() const { return header && at == info.bytes; }
 
@@ -113,8 +122,10 @@ struct Decoder::State {
 void Decoder::State::accept(std::span<const std::byte> bytes) {
   if (error != Error::None || finished) return;
   if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
-  if (bytes.size() > limits.memory - in.size()) fail(Error::OverLimit);
-  else in.insert(in.end(), bytes.begin(), bytes.end());
+  if (bytes.size() > limits.memory - in.size())
+    fail(Error::OverLimit);
+  else
+    in.insert(in.end(), bytes.begin(), bytes.end());
 }
 
 ISOSTAR_COLD bool Decoder::State::readHeader() {
@@ -161,7 +172,8 @@ ISOSTAR_COLD bool Decoder::State::advance() {
   if (bytes.size() < head.bytes) return finished && decodeTorn(head, bytes);
   const auto layer = bytes.first(static_cast<std::size_t>(head.bytes));
   if (checksum(head, layer) != head.checksum) return fail(Error::Corrupt);
-  if (const auto outcome = known->decode(head, layer, false); outcome.error != Error::None) return fail(outcome.error);
+  if (const auto outcome = known->decode(head, layer, false); outcome.error != Error::None)
+    return fail(outcome.error);
   at += used;
   addLayer(info, *header, head, used, at);
   at += static_cast<std::size_t>(head.bytes);
@@ -175,17 +187,39 @@ Decoder::~Decoder() = default;
 Decoder::Decoder(Decoder&&) noexcept = default;
 Decoder& Decoder::operator=(Decoder&&) noexcept = default;
 
-void Decoder::accept(std::span<const std::byte> bytes) { state_->accept(bytes); }
-void Decoder::finish() { state_->finished = true; }
-bool Decoder::advance() { return state_->advance(); }
-Error Decoder::error() const { return state_->error; }
-bool Decoder::ready() const { return state_->known != nullptr; }
-const StreamInfo& Decoder::info() const { return state_->info; }
-int Decoder::level() const { return state_->known ? state_->known->level() : -1; }
-int Decoder::levels() const { return state_->header ? state_->header->finestLevel() + 1 : 0; }
-uint64_t Decoder::bytes() const { return state_->shown; }
-double Decoder::rmsError() const { return state_->rms; }
-bool Decoder::isFinal() const { return state_->isFinal(); }
+void Decoder::accept(std::span<const std::byte> bytes) {
+  state_->accept(bytes);
+}
+void Decoder::finish() {
+  state_->finished = true;
+}
+bool Decoder::advance() {
+  return state_->advance();
+}
+Error Decoder::error() const {
+  return state_->error;
+}
+bool Decoder::ready() const {
+  return state_->known != nullptr;
+}
+const StreamInfo& Decoder::info() const {
+  return state_->info;
+}
+int Decoder::level() const {
+  return state_->known ? state_->known->level() : -1;
+}
+int Decoder::levels() const {
+  return state_->header ? state_->header->finestLevel() + 1 : 0;
+}
+uint64_t Decoder::bytes() const {
+  return state_->shown;
+}
+double Decoder::rmsError() const {
+  return state_->rms;
+}
+bool Decoder::isFinal() const {
+  return state_->isFinal();
+}
 
 Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   out = {};

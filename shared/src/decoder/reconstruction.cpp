@@ -12,10 +12,15 @@ std::unique_ptr<Reconstruction> reconstructionOf(const Header& header, const Lim
     return nullptr;
   }
   switch (header.dimension) {
-    case 2: return std::make_unique<UniformReconstruction<2>>(header, limits);
-    case 3: return std::make_unique<UniformReconstruction<3>>(header, limits);
-    case 4: return header.keepsTopology ? nullptr : std::make_unique<UniformReconstruction<4>>(header, limits);
-    default: return nullptr;
+    case 2:
+      return std::make_unique<UniformReconstruction<2>>(header, limits);
+    case 3:
+      return std::make_unique<UniformReconstruction<3>>(header, limits);
+    case 4:
+      return header.keepsTopology ? nullptr
+                                  : std::make_unique<UniformReconstruction<4>>(header, limits);
+    default:
+      return nullptr;
   }
 }
 

@@ -27,7 +27,9 @@ class Reconstruction {
   virtual Error show(const MeshOptions& options, Contours& out) const = 0;
 };
 
-/// Of a header that is within the limits, and outlives it. Null where this build lacks the header's dimension.
-[[nodiscard]] std::unique_ptr<Reconstruction> reconstructionOf(const Header& header, const Limits& limits);
+/// Of a header that is within the limits, and outlives it. Null where this build lacks the header's
+/// dimension.
+[[nodiscard]] std::unique_ptr<Reconstruction> reconstructionOf(const Header& header,
+                                                               const Limits& limits);
 
 }  // namespace isostar

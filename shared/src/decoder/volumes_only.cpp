@@ -1,4 +1,5 @@
-// Stands in for reconstruction.cpp where the decoder must be small: each dimension would cost a page as much again.
+// Stands in for reconstruction.cpp where the decoder must be small: each dimension would cost a
+// page as much again.
 #include "decoder/adaptive_reconstruction.h"
 #include "decoder/reconstruction.h"
 #include "decoder/uniform_reconstruction.h"

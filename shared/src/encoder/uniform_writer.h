@@ -3,12 +3,12 @@
 
 #include <limits>
 
+#include "coding/codec_state.h"
 #include "encoder/core/displacement_plan.h"
+#include "encoder/core/layer_bytes.h"
+#include "encoder/core/source.h"
 #include "encoder/topology/encode_topology.h"
 #include "isostar/isostar.h"
-#include "encoder/core/layer_bytes.h"
-#include "coding/codec_state.h"
-#include "encoder/core/source.h"
 
 namespace isostar {
 
@@ -19,12 +19,14 @@ class UniformWriter {
   UniformWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
       : options_(options), finestLevel_(header.finestLevel()), source_(&first), known_(header) {}
 
-  /// The signs of all octaves; after(level) may tell more of each but those of streams of one topology.
+  /// The signs of all octaves; after(level) may tell more of each but those of streams of one
+  /// topology.
   template <class After>
   void signs(After after) {
     const Signs<D>& finest = source_->signs();
     std::vector<Signs<D>> coarse(static_cast<std::size_t>(finestLevel_));
-    for (std::size_t level = coarse.size(); level-- > 0;) coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
+    for (std::size_t level = coarse.size(); level-- > 0;)
+      coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
     std::vector<Signs<D>> whole;
     if constexpr (D == 3) {
       if (known_.header.keepsTopology) {
@@ -34,48 +36,61 @@ class UniformWriter {
     }
     const SmoothingFilter filter = finestFilter();
     for (int level = 0; level <= finestLevel_; ++level) {
-      const Signs<D>& actual = level < finestLevel_ ? coarse[static_cast<std::size_t>(level)] : finest;
-      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual, [&](auto& exchange) {
-        exchange.follow(coarse, whole);
-        exchange.see(filterOf(level, filter));
-        if (level == 0) known_.base(exchange);
-        else known_.refine(exchange);
-      });
+      const Signs<D>& actual =
+          level < finestLevel_ ? coarse[static_cast<std::size_t>(level)] : finest;
+      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual,
+           [&](auto& exchange) {
+             exchange.follow(coarse, whole);
+             exchange.see(filterOf(level, filter));
+             if (level == 0)
+               known_.base(exchange);
+             else
+               known_.refine(exchange);
+           });
       if (!known_.partial) after(level);
       if (options_.progress) options_.progress(0.5 * (level + 1) / (finestLevel_ + 1));
     }
   }
 
   void domain() {
-    code({LayerKind::Domain, finestLevel_, 0, 0, 0}, source_->signs(), [&](auto& exchange) { known_.codeDomain(exchange); });
+    code({LayerKind::Domain, finestLevel_, 0, 0, 0}, source_->signs(),
+         [&](auto& exchange) { known_.codeDomain(exchange); });
   }
 
   /// The signs of a further isovalue; passes are its from now on.
   void furtherSigns(int number, Source<D>& source) {
     number_ = number;
     source_ = &source;
-    code({LayerKind::FurtherSigns, number, 0, 0, 0}, source.signs(), [&](auto& exchange) { known_.furtherSigns(exchange, number); });
+    code({LayerKind::FurtherSigns, number, 0, 0, 0}, source.signs(),
+         [&](auto& exchange) { known_.furtherSigns(exchange, number); });
   }
 
   void geometry(const GeometryPass<D>& pass) {
     source_->quantized().target(number_ == 0 && settles(pass));
-    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::FurtherGeometry, number_ == 0 ? known_.level : number_, 0, 0, 0};
+    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::FurtherGeometry,
+                         number_ == 0 ? known_.level : number_, 0, 0, 0};
     code(
         head, source_->signs(),
         [&](auto& exchange) {
-          if (number_ == 0) known_.geometry(exchange, pass);
-          else known_.furtherGeometry(exchange, pass);
+          if (number_ == 0)
+            known_.geometry(exchange, pass);
+          else
+            known_.furtherGeometry(exchange, pass);
         },
         &pass);
   }
 
-  /// The bricks where a vertex of the surface is off by more than the bound, by place; none if there are none.
+  /// The bricks where a vertex of the surface is off by more than the bound, by place; none if
+  /// there are none.
   [[nodiscard]] std::vector<uint8_t> beyond(double bound) const {
-    if (number_ == 0) return source_->distance().beyond(bound, known_.signs, known_.scalars, known_.active);
+    if (number_ == 0)
+      return source_->distance().beyond(bound, known_.signs, known_.scalars, known_.active);
     const FurtherSurface<D>& last = known_.further.surfaces().back();
     return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
   }
-  void select(std::vector<uint8_t> brickIndices) { source_->quantized().select(std::move(brickIndices)); }
+  void select(std::vector<uint8_t> brickIndices) {
+    source_->quantized().select(std::move(brickIndices));
+  }
 
   /// Displacements as planned; `steps`: of a pass.
   void displace(const DisplacementPass& pass, Displacements<D> steps) {
@@ -96,20 +111,26 @@ class UniformWriter {
 
  private:
   template <class Code>
-  void code(LayerHead head, const Signs<D>& actual, Code what, const GeometryPass<D>* pass = nullptr) {
+  void code(LayerHead head, const Signs<D>& actual, Code what,
+            const GeometryPass<D>* pass = nullptr) {
     layers_.add(head, pass, actual, source_->quantized(), what, [&] { return rms(); });
   }
 
-  /// May a pass tell what is nearly true? Not where it repairs or a later one narrows all its intervals or a further isovalue's signs
-  /// are known by them, nor where diagonals have crossings, too, or bounds are so loose that most vertices keep what octaves say.
+  /// May a pass tell what is nearly true? Not where it repairs or a later one narrows all its
+  /// intervals or a further isovalue's signs are known by them, nor where diagonals have crossings,
+  /// too, or bounds are so loose that most vertices keep what octaves say.
   [[nodiscard]] bool settles(const GeometryPass<D>& pass) const {
     constexpr double kLoosest = 0.15;
     const Header& header = known_.header;
-    if (pass.kind != LayerKind::Magnitudes || pass.selective || header.lossless || header.polygonizer != Polygonizer::Cubes || !header.furtherIsovalues.empty()) return false;
+    if (pass.kind != LayerKind::Magnitudes || pass.selective || header.lossless ||
+        header.polygonizer != Polygonizer::Cubes || !header.furtherIsovalues.empty())
+      return false;
     if (header.maxError > kLoosest) return false;
     for (unsigned a = 0; a < D; ++a) {
       const uint32_t allowed = pass.allowed[1u << a];
-      if (allowed == 0 || allowed > 65536 * header.maxError / edgeLength(header.placement, 1u << a) + 1) return false;
+      if (allowed == 0 ||
+          allowed > 65536 * header.maxError / edgeLength(header.placement, 1u << a) + 1)
+        return false;
     }
     return true;
   }
@@ -118,7 +139,8 @@ class UniformWriter {
   [[nodiscard]] SmoothingFilter finestFilter() const {
     SmoothingFilter best = SmoothingFilter::Narrow;
     double least = std::numeric_limits<double>::infinity();
-    for (const SmoothingFilter filter : {SmoothingFilter::Narrow, SmoothingFilter::Middle, SmoothingFilter::Wide}) {
+    for (const SmoothingFilter filter :
+         {SmoothingFilter::Narrow, SmoothingFilter::Middle, SmoothingFilter::Wide}) {
       const double error = source_->distance().rms(source_->signs(), {}, {filter});
       if (error < least) best = filter, least = error;
     }
@@ -127,17 +149,20 @@ class UniformWriter {
   /// That of another octave: coarser ones are less smooth.
   [[nodiscard]] SmoothingFilter filterOf(int level, SmoothingFilter finest) const {
     if (level == finestLevel_) return finest;
-    return level == finestLevel_ - 1 && finest == SmoothingFilter::Wide ? SmoothingFilter::Middle : SmoothingFilter::Narrow;
+    return level == finestLevel_ - 1 && finest == SmoothingFilter::Wide ? SmoothingFilter::Middle
+                                                                        : SmoothingFilter::Narrow;
   }
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (known_.partial) return distance.rms(known_.partial->shown(finestLevel_)->signs, {known_.partial->filter});
+    if (known_.partial)
+      return distance.rms(known_.partial->shown(finestLevel_)->signs, {known_.partial->filter});
     if (known_.level < finestLevel_) return distance.rms(known_.signs, known_.hints());
     if (number_ == 0 && !known_.magnitudesRefined && known_.scalars.tableSize() != 0) {
       Scalars<D> shown = known_.scalars;
       const int finer = shown.magnify();
-      Dequantization<D>::apply(known_.signs.table(), known_.scalars, finer, shown, distance.tableSize());
+      Dequantization<D>::apply(known_.signs.table(), known_.scalars, finer, shown,
+                               distance.tableSize());
       return distance.rms(known_.signs, shown, known_.hints(), finer);
     }
     if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());

@@ -1,17 +1,19 @@
-// Adaptive probabilities, and their mixing in the log-odds domain (§6 of the paper leaves the models open).
-// After M. Mahoney, "Adaptive weighing of context models" (PAQ, lpaq); integers only, so that every machine agrees.
+// Adaptive probabilities, and their mixing in the log-odds domain (§6 of the paper leaves the
+// models open). After M. Mahoney, "Adaptive weighing of context models" (PAQ, lpaq); integers only,
+// so that every machine agrees.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "util/simd.h"
 #include "entropy/range_coder.h"
+#include "util/simd.h"
 
 namespace isostar {
 
-/// The logistic function and its inverse on integers: log-odds in 1/256 within [-2047, 2047], chances in 1/65536.
+/// The logistic function and its inverse on integers: log-odds in 1/256 within [-2047, 2047],
+/// chances in 1/65536.
 class Logistic {
  public:
   static constexpr int kBound = 2047;
@@ -19,26 +21,31 @@ class Logistic {
   [[nodiscard]] static uint32_t squash(int logOdds) {
     return tables().squash[static_cast<std::size_t>(std::clamp(logOdds, -kBound, kBound) + kBound)];
   }
-  [[nodiscard]] static int stretch(uint32_t probability) { return tables().stretch[probability >> 4]; }
+  [[nodiscard]] static int stretch(uint32_t probability) {
+    return tables().stretch[probability >> 4];
+  }
 
  private:
   struct Tables {
     std::array<uint16_t, 2 * kBound + 1> squash{};
     std::array<int16_t, 4096> stretch{};
 
-    /// At run time, since they would be an eighth of a small decoder; volatile keeps the compiler from doing it all the same.
+    /// At run time, since they would be an eighth of a small decoder; volatile keeps the compiler
+    /// from doing it all the same.
     Tables() {
       const volatile int first = -kBound;
       // 65536 / (1 + e^-x) at x = -8, -7.5, … 8; straight lines between.
-      constexpr std::array<uint32_t, 33> kKnots{22,    36,    60,    98,    162,   267,   439,   720,   1179,  1921,  3108,
-                                                4971,  7812,  11955, 17625, 24743, 32768, 40793, 47911, 53581, 57724, 60565,
-                                                62428, 63615, 64357, 64816, 65097, 65269, 65374, 65438, 65476, 65500, 65514};
+      constexpr std::array<uint32_t, 33> kKnots{
+          22,    36,    60,    98,    162,   267,   439,   720,   1179,  1921,  3108,
+          4971,  7812,  11955, 17625, 24743, 32768, 40793, 47911, 53581, 57724, 60565,
+          62428, 63615, 64357, 64816, 65097, 65269, 65374, 65438, 65476, 65500, 65514};
       for (int x = first; x <= kBound; ++x) {
         const int at = x + 2048;
-        const uint32_t a = kKnots[static_cast<std::size_t>(at >> 7)], b = kKnots[static_cast<std::size_t>((at >> 7) + 1)];
+        const uint32_t a = kKnots[static_cast<std::size_t>(at >> 7)],
+                       b = kKnots[static_cast<std::size_t>((at >> 7) + 1)];
         const uint32_t value = a + ((b - a) * static_cast<uint32_t>(at & 127) + 64) / 128;
-        squash[static_cast<std::size_t>(x + kBound)] =
-            static_cast<uint16_t>(std::clamp(value, kLeastProbability, kProbabilityOne - kLeastProbability));
+        squash[static_cast<std::size_t>(x + kBound)] = static_cast<uint16_t>(
+            std::clamp(value, kLeastProbability, kProbabilityOne - kLeastProbability));
       }
       int x = -kBound;
       for (uint32_t i = 0; i < 4096; ++i) {
@@ -53,11 +60,13 @@ class Logistic {
 
 inline const Logistic::Tables Logistic::kTables;
 
-/// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first decisions, never by less than
-/// 1/limit. No tables, so that several of them learn side by side.
+/// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first
+/// decisions, never by less than 1/limit. No tables, so that several of them learn side by side.
 class BitModel {
  public:
-  [[nodiscard]] uint32_t value() const { return std::clamp(state_ >> 16, kLeastProbability, kProbabilityOne - kLeastProbability); }
+  [[nodiscard]] uint32_t value() const {
+    return std::clamp(state_ >> 16, kLeastProbability, kProbabilityOne - kLeastProbability);
+  }
 
   template <class Coder>
   bool bit(Coder& coder, bool actual) {
@@ -94,7 +103,8 @@ class BitModel {
   uint32_t state_ = 1u << 31 | kFirstRate;
 };
 
-/// A decision seen in up to four contexts at once: their log-odds, weighed by weights that learn which context to trust.
+/// A decision seen in up to four contexts at once: their log-odds, weighed by weights that learn
+/// which context to trust.
 template <int N>
 class Mixer {
  public:
@@ -115,24 +125,36 @@ class Mixer {
     return w;
   }
 
-  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers fit 32 bits. Beside
-  /// fewer than four contexts there may be an estimate that does not learn, in log-odds; it has the next weight.
+  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers
+  /// fit 32 bits. Beside fewer than four contexts there may be an estimate that does not learn, in
+  /// log-odds; it has the next weight.
   template <int Limit, int Rate, class Coder>
-  static bool bit(Coder& coder, bool actual, const std::array<BitModel*, N>& contexts, Weights& weights, int32_t estimate = 0) {
-    const auto state = [&](int i) { return i < N ? contexts[static_cast<std::size_t>(i % N)]->state_ : 0; };
+  static bool bit(Coder& coder, bool actual, const std::array<BitModel*, N>& contexts,
+                  Weights& weights, int32_t estimate = 0) {
+    const auto state = [&](int i) {
+      return i < N ? contexts[static_cast<std::size_t>(i % N)]->state_ : 0;
+    };
     const std::array<uint32_t, 4> states{state(0), state(1), state(2), state(3)};
-    const auto logOdds = [&](int i) { return i < N ? Logistic::stretch(states[static_cast<std::size_t>(i)] >> 16) : std::clamp(estimate, -Logistic::kBound, Logistic::kBound); };
+    const auto logOdds = [&](int i) {
+      return i < N ? Logistic::stretch(states[static_cast<std::size_t>(i)] >> 16)
+                   : std::clamp(estimate, -Logistic::kBound, Logistic::kBound);
+    };
     const int32_t a = logOdds(0), b = logOdds(1), c = logOdds(2), d = logOdds(3);
-    const uint32_t probability = Logistic::squash((weights[0] * a + weights[1] * b + (weights[2] * c + weights[3] * d)) >> 14);
+    const uint32_t probability = Logistic::squash(
+        (weights[0] * a + weights[1] * b + (weights[2] * c + weights[3] * d)) >> 14);
     const bool value = coder.bit(actual, probability);
-    const int32_t error = (static_cast<int32_t>(value ? kProbabilityOne : 0) - static_cast<int32_t>(probability)) >> 2;
+    const int32_t error =
+        (static_cast<int32_t>(value ? kProbabilityOne : 0) - static_cast<int32_t>(probability)) >>
+        2;
     Lanes trust = lanesAt(weights.data());
     trust += (Lanes{a, b, c, d} * error + (1 << (Rate + 1))) >> (Rate + 2);
     trust = clamped(trust, 8 * kOne);
     std::memcpy(weights.data(), &trust, sizeof trust);
-    const Lanes known{static_cast<int32_t>(states[0]), static_cast<int32_t>(states[1]), static_cast<int32_t>(states[2]), static_cast<int32_t>(states[3])};
+    const Lanes known{static_cast<int32_t>(states[0]), static_cast<int32_t>(states[1]),
+                      static_cast<int32_t>(states[2]), static_cast<int32_t>(states[3])};
     const Lanes learned = BitModel::learned<Limit>(known, value);
-    for (int i = 0; i < N; ++i) contexts[static_cast<std::size_t>(i)]->state_ = static_cast<uint32_t>(learned[i]);
+    for (int i = 0; i < N; ++i)
+      contexts[static_cast<std::size_t>(i)]->state_ = static_cast<uint32_t>(learned[i]);
     return value;
   }
 

@@ -1,5 +1,6 @@
-// Binary arithmetic coding in three directions with one call signature (§5: "the final arithmetic coder").
-// Carry-propagating range coder after G. Martin (1979): 32-bit range, bytes out, probabilities of 16 bits.
+// Binary arithmetic coding in three directions with one call signature (§5: "the final arithmetic
+// coder"). Carry-propagating range coder after G. Martin (1979): 32-bit range, bytes out,
+// probabilities of 16 bits.
 #pragma once
 
 #include <cmath>
@@ -34,7 +35,8 @@ class RangeEncoder {
     return actual;
   }
 
-  /// Ends the run. Up to four zero bytes at its end are left out: the decoder reads zeros past the end.
+  /// Ends the run. Up to four zero bytes at its end are left out: the decoder reads zeros past the
+  /// end.
   void finish() {
     // Of all numbers in [low, low + range) the one with most trailing zeros.
     for (int keep = 24; keep >= 0; keep -= 8) {
@@ -46,7 +48,8 @@ class RangeEncoder {
       }
     }
     for (int i = 0; i < 5; ++i) shiftLow();
-    for (int i = 0; i < 4 && out_.size() > start_ && out_.back() == std::byte{0}; ++i) out_.pop_back();
+    for (int i = 0; i < 4 && out_.size() > start_ && out_.back() == std::byte{0}; ++i)
+      out_.pop_back();
   }
 
  private:
@@ -78,7 +81,8 @@ class RangeEncoder {
 /// Reads decisions; bit() ignores its first argument. Past the end it reads zeros, and counts them.
 class RangeDecoder {
  public:
-  explicit RangeDecoder(std::span<const std::byte> in) : next_(in.data()), end_(in.data() + in.size()) {
+  explicit RangeDecoder(std::span<const std::byte> in)
+      : next_(in.data()), end_(in.data() + in.size()) {
     for (int i = 0; i < 4; ++i) code_ = code_ << 8 | byte();
   }
 
@@ -117,7 +121,8 @@ class RangeDecoder {
 class Meter {
  public:
   bool bit(bool actual, uint32_t probability) {
-    bits_ -= std::log2((actual ? probability : kProbabilityOne - probability) / double(kProbabilityOne));
+    bits_ -=
+        std::log2((actual ? probability : kProbabilityOne - probability) / double(kProbabilityOne));
     return actual;
   }
   [[nodiscard]] double bits() const { return bits_; }

@@ -21,7 +21,9 @@ struct Direction {
     for (int a = 0; a < D; ++a) directions[n++] = {a, -1, 0, ScalarWindow<D>::stride(a)};
     for (int a = 0; a < D; ++a) {
       for (int b = a + 1; b < D; ++b) {
-        for (const int side : {1, -1}) directions[n++] = {a, b, side, ScalarWindow<D>::stride(a) + side * ScalarWindow<D>::stride(b)};
+        for (const int side : {1, -1})
+          directions[n++] = {a, b, side,
+                             ScalarWindow<D>::stride(a) + side * ScalarWindow<D>::stride(b)};
       }
     }
     return directions;
@@ -38,9 +40,11 @@ class FitWindow {
 
   /// Of a brick whose scalars are in the window, with the gradient that Scalars keep of it.
   void load(const ScalarWindow<D>& scalars, int gradient) {
-    exponent_ = std::min(gradient / 4, kMostExponent);  // beyond: none has been told, and nobody there is fitted
-    up_ = kFine - exponent_ - 1;  // scalars are half quanta
-    most_ = up_ < 0 ? static_cast<int32_t>(std::min<int64_t>(int64_t{kMost} << -up_, INT32_MAX)) : kMost >> up_;
+    exponent_ = std::min(gradient / 4,
+                         kMostExponent);  // beyond: none has been told, and nobody there is fitted
+    up_ = kFine - exponent_ - 1;          // scalars are half quanta
+    most_ = up_ < 0 ? static_cast<int32_t>(std::min<int64_t>(int64_t{kMost} << -up_, INT32_MAX))
+                    : kMost >> up_;
     for (std::size_t i = 0; i < finer_.size(); ++i) {
       const int log2 = exponent_ - 8 + static_cast<int>(i);
       finer_[i] = log2 < 0 ? 0 : int32_t{1} << std::min(log2, 30);
@@ -64,15 +68,22 @@ class FitWindow {
     const int32_t size = std::clamp(scalar, -most_, most_);
     return up_ >= 0 ? size << up_ : size >> -up_;
   }
-  [[nodiscard]] const int32_t* values(std::size_t r, int x) const { return &value_[static_cast<std::size_t>(ScalarWindow<D>::index(r, x))]; }
+  [[nodiscard]] const int32_t* values(std::size_t r, int x) const {
+    return &value_[static_cast<std::size_t>(ScalarWindow<D>::index(r, x))];
+  }
   /// How well each is known; 0 where nothing is, and the value means nothing.
-  [[nodiscard]] const uint8_t* weights(std::size_t r, int x) const { return &weight_[static_cast<std::size_t>(ScalarWindow<D>::index(r, x))]; }
-  /// By how much the mean of two opposite neighbours is above what lies between them, by direction, as a rule around the vertex.
+  [[nodiscard]] const uint8_t* weights(std::size_t r, int x) const {
+    return &weight_[static_cast<std::size_t>(ScalarWindow<D>::index(r, x))];
+  }
+  /// By how much the mean of two opposite neighbours is above what lies between them, by direction,
+  /// as a rule around the vertex.
   [[nodiscard]] const Bends& bends(std::size_t r, int x) const { return bends_[blockOf(r, x)]; }
 
  private:
   static constexpr int kHalfSide = kBrickSide / 2, kPrior = 12, kMostExponent = 31;
-  static constexpr std::array<int32_t, 8> kLess{1, 3, 11, 28, 43, 27, 10, 3};  // the weight is less by that for each octave that an interval is wider
+  static constexpr std::array<int32_t, 8> kLess{
+      1,  3,  11, 28,
+      43, 27, 10, 3};  // the weight is less by that for each octave that an interval is wider
 
   /// Blocks are halves of a brick on each axis.
   static std::size_t blockOf(std::size_t r, int x) {
@@ -81,15 +92,19 @@ class FitWindow {
     return block;
   }
 
-  /// 127 / (1 + (w/s)²), w being an interval's standard deviation and s, a 40th of a step, that of a field from a linear one.
+  /// 127 / (1 + (w/s)²), w being an interval's standard deviation and s, a 40th of a step, that of
+  /// a field from a linear one.
   [[nodiscard]] uint8_t weightOf(int32_t scalar) const {
-    const auto width = static_cast<int32_t>(static_cast<uint32_t>(scalar) & -static_cast<uint32_t>(scalar));  // of the unknown, negative
+    const auto width =
+        static_cast<int32_t>(static_cast<uint32_t>(scalar) &
+                             -static_cast<uint32_t>(scalar));  // of the unknown, negative
     int32_t weight = 127;
     for (std::size_t i = 0; i < kLess.size(); ++i) weight -= width > finer_[i] ? kLess[i] : 0;
     return static_cast<uint8_t>(width < 0 ? 0 : weight);
   }
 
-  /// Second differences, each counted by the least known of its three values; in the blocks of a brick they are mostly alike.
+  /// Second differences, each counted by the least known of its three values; in the blocks of a
+  /// brick they are mostly alike.
   void findBends() {
     struct Sum {
       int32_t sum = 0, count = 1;
@@ -101,7 +116,8 @@ class FitWindow {
         if (weight_[at] == 0) continue;
         auto& sum = sums[blockOf(r, x)];
         for (std::size_t d = 0; d < kDirections.size(); ++d) {
-          const std::size_t after = at + static_cast<std::size_t>(kDirections[d].offset), before = at - static_cast<std::size_t>(kDirections[d].offset);
+          const std::size_t after = at + static_cast<std::size_t>(kDirections[d].offset),
+                            before = at - static_cast<std::size_t>(kDirections[d].offset);
           const int32_t least = std::min({weight_[at], weight_[after], weight_[before]});
           const int32_t weight = least == 0 ? 0 : 1 + least / 4;
           sum[d].sum += ((value_[after] + value_[before]) / 2 - value_[at]) * weight;
@@ -113,7 +129,8 @@ class FitWindow {
       int64_t sum = 0, count = 0;
       for (const auto& block : sums) sum += block[d].sum, count += block[d].count;
       const auto mean = static_cast<int32_t>(sum / count);
-      for (std::size_t b = 0; b < sums.size(); ++b) bends_[b][d] = (sums[b][d].sum + kPrior * mean) / (sums[b][d].count + kPrior);
+      for (std::size_t b = 0; b < sums.size(); ++b)
+        bends_[b][d] = (sums[b][d].sum + kPrior * mean) / (sums[b][d].count + kPrior);
     }
   }
 

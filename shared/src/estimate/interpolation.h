@@ -1,8 +1,8 @@
 // A scalar from its neighbours on both sides, where a coarser pass has told them.
 #pragma once
 
-#include "util/reciprocal.h"
 #include "scalars/scalar_window.h"
+#include "util/reciprocal.h"
 
 namespace isostar {
 
@@ -17,9 +17,11 @@ struct Interpolation {
     int64_t sum = 0;
     int pairs = 0;
     forEachAxis<D>([&](auto a) {
-      const int32_t before = here[-ScalarWindow<D>::stride(a)], after = here[ScalarWindow<D>::stride(a)];
+      const int32_t before = here[-ScalarWindow<D>::stride(a)],
+                    after = here[ScalarWindow<D>::stride(a)];
       // A mask instead of a branch, which nobody could predict.
-      const int32_t known = before == Scalars<D>::kUnknown || after == Scalars<D>::kUnknown ? 0 : -1;
+      const int32_t known =
+          before == Scalars<D>::kUnknown || after == Scalars<D>::kUnknown ? 0 : -1;
       sum += (int64_t{before} + after) & known;
       pairs -= known;
     });

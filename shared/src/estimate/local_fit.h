@@ -1,4 +1,5 @@
-// A scalar by least squares from those around it: the prediction of the passes that halve intervals (§5.3).
+// A scalar by least squares from those around it: the prediction of the passes that halve intervals
+// (§5.3).
 #pragma once
 
 #include <bit>
@@ -9,8 +10,9 @@
 
 namespace isostar {
 
-/// The linear function that fits the known neighbours along the axes and across two of them best, each weighed by how well it
-/// is known and how far away it is; and the same where the field is as bent as around here.
+/// The linear function that fits the known neighbours along the axes and across two of them best,
+/// each weighed by how well it is known and how far away it is; and the same where the field is as
+/// bent as around here.
 template <int D>
 struct LocalFit {
   int32_t level = 0, bent = 0;  // magnitudes, scaled as in the window
@@ -22,12 +24,16 @@ struct LocalFit {
     if (sums.known <= D) return {};
     const auto center = sums.solve();
     if (!center) return {};
-    const auto magnitude = [&](int64_t value) { return static_cast<int32_t>(std::clamp<int64_t>(positive ? value : -value, 0, 2 * FitWindow<D>::kMost)); };
+    const auto magnitude = [&](int64_t value) {
+      return static_cast<int32_t>(
+          std::clamp<int64_t>(positive ? value : -value, 0, 2 * FitWindow<D>::kMost));
+    };
     return {magnitude((*center)[0]), magnitude((*center)[1]), sums.known};
   }
 
  private:
-  /// The normal equations of value + slope · offset: unknown 0 is the value here, unknown a + 1 the slope along axis a.
+  /// The normal equations of value + slope · offset: unknown 0 is the value here, unknown a + 1 the
+  /// slope along axis a.
   struct Sums {
     static constexpr int kUnknowns = D + 1;
     std::array<std::array<int32_t, kUnknowns>, kUnknowns> matrix{};  // its lower half
@@ -40,7 +46,8 @@ struct LocalFit {
       const auto& bend = window.bends(r, x);
       [&]<std::size_t... N>(std::index_sequence<N...>) {
         (addPair<N>(weights, values, bend[N]), ...);
-      }(std::make_index_sequence<Direction<D>::kCount>());
+      }
+      (std::make_index_sequence<Direction<D>::kCount>());
     }
 
     /// Neighbours across are twice as far away, and count for a quarter, but not for nothing.
@@ -72,7 +79,8 @@ struct LocalFit {
       }
     }
 
-    /// The value here as told, and with bends taken off; nothing where the neighbours do not determine it. By elimination, in 1/256.
+    /// The value here as told, and with bends taken off; nothing where the neighbours do not
+    /// determine it. By elimination, in 1/256.
     [[nodiscard]] std::optional<std::array<int64_t, 2>> solve() const {
       constexpr int kBits = 8, kFactorBits = 14;
       std::array<std::array<int64_t, kUnknowns>, kUnknowns> m{};
@@ -93,14 +101,16 @@ struct LocalFit {
       }
       if (m[0][0] <= matrix[0][0]) return std::nullopt;
       const int64_t inverse = inverseOf(m[0][0]);
-      return std::array<int64_t, 2>{right[0][0] * inverse >> (31 - kBits), right[1][0] * inverse >> (31 - kBits)};
+      return std::array<int64_t, 2>{right[0][0] * inverse >> (31 - kBits),
+                                    right[1][0] * inverse >> (31 - kBits)};
     }
 
     /// 2^31 / n, but for a part in 500: a division would take longer than all the rest.
     static int64_t inverseOf(int64_t n) {
       static constexpr std::array<uint32_t, 256> kOfTop = [] {
         std::array<uint32_t, 256> table{};
-        for (uint32_t i = 0; i < 256; ++i) table[i] = static_cast<uint32_t>((uint64_t{1} << 32) / (2 * (256 + i) + 1));
+        for (uint32_t i = 0; i < 256; ++i)
+          table[i] = static_cast<uint32_t>((uint64_t{1} << 32) / (2 * (256 + i) + 1));
         return table;
       }();
       const auto positive = static_cast<uint32_t>(std::max<int64_t>(n, 1));

@@ -1,4 +1,5 @@
-// Where the signs alone put the surface: a weighed sum of the signs around each vertex of a brick, and its gradient.
+// Where the signs alone put the surface: a weighed sum of the signs around each vertex of a brick,
+// and its gradient.
 #pragma once
 
 #include <array>
@@ -6,21 +7,26 @@
 #include <cstdint>
 #include <cstring>
 
-#include "util/cold_path.h"
 #include "grid/window.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
-/// How far around a vertex signs count. Smooth surfaces are placed best by a wide kernel, noise and coarse octaves by a narrow one.
+/// How far around a vertex signs count. Smooth surfaces are placed best by a wide kernel, noise and
+/// coarse octaves by a narrow one.
 enum class SmoothingFilter : uint8_t { Narrow, Middle, Wide };
 
-/// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each axis for the wide kernel, so
-/// that the sums are made axis by axis, for a row of eight vertices at once. In each dimension they are about as large as in three.
+/// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each
+/// axis for the wide kernel, so that the sums are made axis by axis, for a row of eight vertices at
+/// once. In each dimension they are about as large as in three.
 template <int D>
 class ShapeEstimate {
  public:
   explicit ShapeEstimate(SmoothingFilter filter)
-      : own_(weights(filter).own), beside_(weights(filter).beside), far_(weights(filter).far), scale_(weights(filter).scale) {
+      : own_(weights(filter).own),
+        beside_(weights(filter).beside),
+        far_(weights(filter).far),
+        scale_(weights(filter).scale) {
     tabulate();
   }
 
@@ -31,32 +37,39 @@ class ShapeEstimate {
     }
     forEachAxis<D>([&](auto axis) {
       if constexpr (axis > 0) {
-        constexpr std::size_t kInner = power(kBrickSide, axis - 1), kOuter = power(Window<D>::kSide, D - 1 - axis);
-        if constexpr (axis == 3) forRows(axis + 1, kOuter * Window<D>::kSide * kInner, [](Row row) { return row >> 4; });
+        constexpr std::size_t kInner = power(kBrickSide, axis - 1),
+                              kOuter = power(Window<D>::kSide, D - 1 - axis);
+        if constexpr (axis == 3)
+          forRows(axis + 1, kOuter * Window<D>::kSide * kInner, [](Row row) { return row >> 4; });
         slope<kOuter, kInner>(fields_[0].data(), fields_[axis + 1].data());
         for (std::size_t f = 0; f <= axis; ++f) smooth<kOuter, kInner>(fields_[f].data());
       }
     });
-    if constexpr (D < 3) forRows(D + 1, power(kBrickSide, D - 1), [](Row row) { return row * kWeightSum; });
+    if constexpr (D < 3)
+      forRows(D + 1, power(kBrickSide, D - 1), [](Row row) { return row * kWeightSum; });
   }
 
   /// Of weight · sign at vertex x of row r: grows with the distance to the surface.
   [[nodiscard]] int32_t sum(std::size_t r, int x) const { return scaled(fields_[0][r][x]); }
   /// Of weight · sign · offset: points to larger values.
-  [[nodiscard]] int32_t slope(int axis, std::size_t r, int x) const { return scaled(fields_[static_cast<std::size_t>(axis) + 1][r][x]); }
+  [[nodiscard]] int32_t slope(int axis, std::size_t r, int x) const {
+    return scaled(fields_[static_cast<std::size_t>(axis) + 1][r][x]);
+  }
 
  private:
   using Row [[gnu::vector_size(16)]] = int16_t;
   using Half = std::array<int16_t, 4>;
   static constexpr std::size_t kRows = Window<D>::kRows;
   static constexpr int16_t kWeightSum = 20;
-  /// Of a vertex itself, those beside it and those behind them; their sum over an axis is always the same. Then 256ths by which sums
-  /// are scaled, so that a plane has about the same slope.
+  /// Of a vertex itself, those beside it and those behind them; their sum over an axis is always
+  /// the same. Then 256ths by which sums are scaled, so that a plane has about the same slope.
   struct Weights {
     int16_t own, beside, far, scale;
   };
   static constexpr Weights weights(SmoothingFilter filter) {
-    return filter == SmoothingFilter::Narrow ? Weights{12, 4, 0, 171} : filter == SmoothingFilter::Middle ? Weights{10, 5, 0, 205} : Weights{8, 5, 1, 256};
+    return filter == SmoothingFilter::Narrow   ? Weights{12, 4, 0, 171}
+           : filter == SmoothingFilter::Middle ? Weights{10, 5, 0, 205}
+                                               : Weights{8, 5, 1, 256};
   }
 
   [[nodiscard]] int32_t scaled(int32_t sum) const { return sum * scale_ >> 8; }
@@ -75,7 +88,9 @@ class ShapeEstimate {
       for (unsigned x = 0; x < 4; ++x) {
         int sum = 0, slope = 0;
         for (int d = 0; d < 5; ++d) {
-          const int weight = (signs >> (x + static_cast<unsigned>(d)) & 1) != 0 ? weights[static_cast<std::size_t>(d)] : -weights[static_cast<std::size_t>(d)];
+          const int weight = (signs >> (x + static_cast<unsigned>(d)) & 1) != 0
+                                 ? weights[static_cast<std::size_t>(d)]
+                                 : -weights[static_cast<std::size_t>(d)];
           sum += weight;
           slope += weight * (d - 2);
         }
@@ -85,25 +100,29 @@ class ShapeEstimate {
     }
   }
 
-  /// By halves straight to memory, where they are read as a whole much later: sooner the processor would have to wait.
+  /// By halves straight to memory, where they are read as a whole much later: sooner the processor
+  /// would have to wait.
   static void alongRow(const std::array<Half, 256>& table, unsigned signs, Row& row) {
     auto* halves = reinterpret_cast<std::byte*>(&row);
     std::memcpy(halves, &table[signs & 255], sizeof(Half));
     std::memcpy(halves + sizeof(Half), &table[signs >> 4 & 255], sizeof(Half));
   }
 
-  /// From the twelve planes of a window on an axis to the eight of a brick; in place too, as nothing is read again once it is written over.
+  /// From the twelve planes of a window on an axis to the eight of a brick; in place too, as
+  /// nothing is read again once it is written over.
   template <std::size_t Outer, std::size_t Inner>
   void smooth(Row* rows) const {
     forPlanes<Outer, Inner>(rows, rows, [own = own_, beside = beside_, far = far_](const Row* at) {
-      return far * (at[0] + at[4 * Inner]) + beside * (at[Inner] + at[3 * Inner]) + own * at[2 * Inner];
+      return far * (at[0] + at[4 * Inner]) + beside * (at[Inner] + at[3 * Inner]) +
+             own * at[2 * Inner];
     });
   }
   template <std::size_t Outer, std::size_t Inner>
   void slope(const Row* rows, Row* out) const {
-    forPlanes<Outer, Inner>(rows, out, [beside = beside_, far = static_cast<int16_t>(2 * far_)](const Row* at) {
-      return far * (at[4 * Inner] - at[0]) + beside * (at[3 * Inner] - at[Inner]);
-    });
+    forPlanes<Outer, Inner>(
+        rows, out, [beside = beside_, far = static_cast<int16_t>(2 * far_)](const Row* at) {
+          return far * (at[4 * Inner] - at[0]) + beside * (at[3 * Inner] - at[Inner]);
+        });
   }
   template <std::size_t Outer, std::size_t Inner, class Filter>
   static void forPlanes(const Row* rows, Row* out, Filter filter) {

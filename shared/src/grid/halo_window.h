@@ -1,4 +1,5 @@
-// What bricks keep of one kind, of a brick and of a border around it, copied where every neighbour is a fixed offset away.
+// What bricks keep of one kind, of a brick and of a border around it, copied where every neighbour
+// is a fixed offset away.
 #pragma once
 
 #include "grid/signs.h"
@@ -12,10 +13,12 @@ class HaloWindow {
   static constexpr int kSide = Side + 2;
   std::array<Item, power(kSide, D)> value{};
 
-  /// By axis: a table, as a compiler that leaves a loop over axes as it is would make powers over and over.
+  /// By axis: a table, as a compiler that leaves a loop over axes as it is would make powers over
+  /// and over.
   static constexpr std::array<int, D> kStrides = [] {
     std::array<int, D> strides{};
-    for (int a = 0; a < D; ++a) strides[static_cast<std::size_t>(a)] = static_cast<int>(power(kSide, a));
+    for (int a = 0; a < D; ++a)
+      strides[static_cast<std::size_t>(a)] = static_cast<int>(power(kSide, a));
     return strides;
   }();
 
@@ -24,10 +27,12 @@ class HaloWindow {
  protected:
   /// `itemsAt(place)`: of a brick; `nothing`: of one beyond the table.
   template <class ItemsAt>
-  void gather(const BrickTable<D>& table, const Coordinates<D>& brick, const Item* nothing, ItemsAt itemsAt) {
+  void gather(const BrickTable<D>& table, const Coordinates<D>& brick, const Item* nothing,
+              ItemsAt itemsAt) {
     std::array<const Item*, power(3, D)> near;
     const auto brickIndices = table.around(brick);
-    for (std::size_t n = 0; n < near.size(); ++n) near[n] = brickIndices[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(brickIndices[n]);
+    for (std::size_t n = 0; n < near.size(); ++n)
+      near[n] = brickIndices[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(brickIndices[n]);
     for (std::size_t i = 0; i < kSources.size(); ++i) {
       const Item* const* const source = &near[kSources[i].near];
       const std::size_t row = kSources[i].row;
@@ -39,7 +44,8 @@ class HaloWindow {
   }
 
  private:
-  /// Where a row of the window comes from: the first of three bricks in a row, and the first item in each.
+  /// Where a row of the window comes from: the first of three bricks in a row, and the first item
+  /// in each.
   struct Source {
     uint16_t near = 0, row = 0;
   };

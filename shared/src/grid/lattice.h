@@ -4,17 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <optional>
+#include <utility>
 
 namespace isostar {
 
 template <int D>
 using Coordinates = std::array<int32_t, D>;
 
-/// Octave o of a box with samples 0 … last on each axis: planes at multiples of `step`, and one at the box's end.
-/// Three bisections (in 3D; D in general) lead from an octave to the next, of half the step. A cell at the end of the
-/// box that is too short to be halved stays whole, so that no vertex lies outside the box and none exists twice.
+/// Octave o of a box with samples 0 … last on each axis: planes at multiples of `step`, and one at
+/// the box's end. Three bisections (in 3D; D in general) lead from an octave to the next, of half
+/// the step. A cell at the end of the box that is too short to be halved stays whole, so that no
+/// vertex lies outside the box and none exists twice.
 template <int D>
 struct Lattice {
   Coordinates<D> box{};   // last sample on each axis
@@ -27,13 +28,17 @@ struct Lattice {
   }
 
   [[nodiscard]] Lattice finer() const { return Lattice(box, step / 2); }
-  [[nodiscard]] int32_t sample(int axis, int32_t plane) const { return std::min(plane * step, box[axis]); }
+  [[nodiscard]] int32_t sample(int axis, int32_t plane) const {
+    return std::min(plane * step, box[axis]);
+  }
   [[nodiscard]] Coordinates<D> samples(Coordinates<D> planes) const {
     for (int a = 0; a < D; ++a) planes[a] = sample(a, planes[a]);
     return planes;
   }
   /// Does the plane first appear on this octave?
-  [[nodiscard]] bool isNew(int axis, int32_t plane) const { return (plane & 1) != 0 && plane != last[axis]; }
+  [[nodiscard]] bool isNew(int axis, int32_t plane) const {
+    return (plane & 1) != 0 && plane != last[axis];
+  }
   /// The axes on which a vertex is fresh, as a set of bits.
   [[nodiscard]] unsigned newAxes(const Coordinates<D>& v) const {
     unsigned axes = 0;
@@ -73,10 +78,14 @@ struct Lattice {
   }
 };
 
-/// Calls visit(axis) for each axis, which is a constant each time: for innermost loops, some of which a compiler would leave as loops.
+/// Calls visit(axis) for each axis, which is a constant each time: for innermost loops, some of
+/// which a compiler would leave as loops.
 template <int D, class Visit>
 void forEachAxis(Visit visit) {
-  [&]<int... Axes>(std::integer_sequence<int, Axes...>) { (visit(std::integral_constant<int, Axes>()), ...); }(std::make_integer_sequence<int, D>());
+  [&]<int... Axes>(std::integer_sequence<int, Axes...>) {
+    (visit(std::integral_constant<int, Axes>()), ...);
+  }
+  (std::make_integer_sequence<int, D>());
 }
 
 /// Calls visit(v) for all vertices of a box, both corners included, the first axis fastest.

@@ -14,29 +14,36 @@ struct Step {
   int8_t bits = 0;
 };
 
-/// The neighbours of a vertex that is fresh on the axes of a set O. Splitting the diagonal of the cube or face that
-/// spans O creates the vertex; its diamond (all simplices around that edge) has the corners v + {±1}^O and, across the
-/// other axes N, v + {-1,0,1}^N without v. After K. Weiss, L. De Floriani, Diamond hierarchies of arbitrary dimension (2009).
+/// The neighbours of a vertex that is fresh on the axes of a set O. Splitting the diagonal of the
+/// cube or face that spans O creates the vertex; its diamond (all simplices around that edge) has
+/// the corners v + {±1}^O and, across the other axes N, v + {-1,0,1}^N without v. After K. Weiss,
+/// L. De Floriani, Diamond hierarchies of arbitrary dimension (2009).
 template <int D>
 struct Neighbourhood {
   static constexpr int kMost = static_cast<int>(power(3, D)) + 5;
-  std::array<Step, kMost> diamond{};   // the corners, then those across
-  std::array<Step, kMost> siblings{};  // of the same class, earlier in the order of rows; nearest first
+  std::array<Step, kMost> diamond{};  // the corners, then those across
+  std::array<Step, kMost>
+      siblings{};  // of the same class, earlier in the order of rows; nearest first
   int cornerCount = 0, acrossCount = 0, siblingCount = 0;
   RowPacks<D> siblingMask;  // those of the siblings that are not outer ones
-  RowPacks<D> farMask;      // the nearest kFar vertices of earlier classes outside the diamond that are not outer ones
-  RowPacks<D> outerMask;    // the nearest kOuter that are told before and two steps away on two axes or more
+  RowPacks<D> farMask;  // the nearest kFar vertices of earlier classes outside the diamond that are
+                        // not outer ones
+  RowPacks<D>
+      outerMask;  // the nearest kOuter that are told before and two steps away on two axes or more
   typename RowPacks<D>::Slices slices{};
-  int weight = 0;  // of all vertices that have one
+  int weight = 0;                                               // of all vertices that have one
   static constexpr int kSiblings = 15, kFar = 40, kOuter = 34;  // all there are in space
 
-  /// What a neighbour's sign says of the vertex's own, in 1/kOne of log-odds, rounded from logistic regressions over volumes of
-  /// all kinds: of a corner, of one across on a single axis or on several, of a sibling one step away, of a far one, and of an
-  /// outer one, which tells a bend from a slope.
-  static constexpr int kOne = 32, kCorner = 32, kBeside = 44, kAcross = 8, kSibling = 8, kFarOne = 1, kOuterOne = -4;
+  /// What a neighbour's sign says of the vertex's own, in 1/kOne of log-odds, rounded from logistic
+  /// regressions over volumes of all kinds: of a corner, of one across on a single axis or on
+  /// several, of a sibling one step away, of a far one, and of an outer one, which tells a bend
+  /// from a slope.
+  static constexpr int kOne = 32, kCorner = 32, kBeside = 44, kAcross = 8, kSibling = 8,
+                       kFarOne = 1, kOuterOne = -4;
 
-  /// What is summed up in slices: signs of the diamond, as many as the largest one in space has; how many of its corners and
-  /// of those across are positive; what those within one step that are positive weigh.
+  /// What is summed up in slices: signs of the diamond, as many as the largest one in space has;
+  /// how many of its corners and of those across are positive; what those within one step that are
+  /// positive weigh.
   struct Seen {
     unsigned diamond, corners, across;
     int weight;
@@ -44,7 +51,8 @@ struct Neighbourhood {
   static constexpr int kDiamondBits = 10, kCountBits = 5;
   static constexpr Seen unpacked(uint32_t sum) {
     constexpr uint32_t kDiamonds = (1u << kDiamondBits) - 1, kCounts = (1u << kCountBits) - 1;
-    return {sum & kDiamonds, sum >> kDiamondBits & kCounts, sum >> (kDiamondBits + kCountBits) & kCounts,
+    return {sum & kDiamonds, sum >> kDiamondBits & kCounts,
+            sum >> (kDiamondBits + kCountBits) & kCounts,
             static_cast<int>(sum >> (kDiamondBits + 2 * kCountBits))};
   }
 
@@ -57,7 +65,8 @@ struct Neighbourhood {
     slice();
   }
 
-  /// By the set of fresh axes; made once, at run time, since the tables would be a large part of a small decoder.
+  /// By the set of fresh axes; made once, at run time, since the tables would be a large part of a
+  /// small decoder.
   using All = std::array<Neighbourhood, 1u << D>;
   static const All& all() {
     static const All kAll = [] {
@@ -77,7 +86,8 @@ struct Neighbourhood {
       int axes = 0;
       for (const int d : offsets[i]) axes += d != 0 ? 1 : 0;
       const bool corner = i < cornerCount;
-      const uint32_t sign = i < kDiamondBits ? 1u << i : 0u, count = 1u << (corner ? kDiamondBits : kDiamondBits + kCountBits);
+      const uint32_t sign = i < kDiamondBits ? 1u << i : 0u,
+                     count = 1u << (corner ? kDiamondBits : kDiamondBits + kCountBits);
       addToSlices(offsets[i], sign | count, corner ? kCorner : axes == 1 ? kBeside : kAcross);
     }
   }
@@ -106,7 +116,8 @@ struct Neighbourhood {
 
   constexpr void addAt(unsigned newAxes, const std::array<int, D>& d, bool corners, bool outer) {
     Step step;
-    for (int a = 1; a < D; ++a) step.rows = static_cast<int16_t>(step.rows + d[a] * Window<D>::rowStride(a));
+    for (int a = 1; a < D; ++a)
+      step.rows = static_cast<int16_t>(step.rows + d[a] * Window<D>::rowStride(a));
     step.bits = static_cast<int8_t>(d[0]);
     bool corner = true, beside = true, near = true, earlier = false;
     unsigned theirs = newAxes;

@@ -1,4 +1,5 @@
-// From one octave's signs to the next (§5.2): what the coarser one tells of the finer, and where it may still change.
+// From one octave's signs to the next (§5.2): what the coarser one tells of the finer, and where it
+// may still change.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,8 @@
 
 namespace isostar {
 
-/// An odd last plane is the coarser octave's last plane, not its last but one as refined() has it at first.
+/// An odd last plane is the coarser octave's last plane, not its last but one as refined() has it
+/// at first.
 template <int D>
 void copyEndPlane(const Signs<D>& coarse, Signs<D>& fine, int axis) {
   const auto& lattice = fine.lattice();
@@ -27,7 +29,8 @@ void copyEndPlane(const Signs<D>& coarse, Signs<D>& fine, int axis) {
   }
 }
 
-/// The signs of the next octave as far as the coarser one tells: a fresh vertex has its lower neighbour's sign for now.
+/// The signs of the next octave as far as the coarser one tells: a fresh vertex has its lower
+/// neighbour's sign for now.
 template <int D>
 Signs<D> refined(const Signs<D>& coarse) {
   // Each bit of a nibble twice.
@@ -49,7 +52,8 @@ Signs<D> refined(const Signs<D>& coarse) {
     Coordinates<D> v{};
     for (auto& row : brick.rows) {
       std::size_t parentRow = 0;
-      for (int a = D - 1; a >= 1; --a) parentRow = parentRow * kBrickSide + static_cast<std::size_t>((at[a] & 1) * 4 + v[a] / 2);
+      for (int a = D - 1; a >= 1; --a)
+        parentRow = parentRow * kBrickSide + static_cast<std::size_t>((at[a] & 1) * 4 + v[a] / 2);
       row = kTwice[parent[parentRow] >> ((at[0] & 1) * 4) & 15];
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
@@ -65,7 +69,9 @@ Signs<D> refined(const Signs<D>& coarse) {
 template <int D>
 uint64_t mostRefinedBricks(const Signs<D>& coarse, const BrickTable<D>& finer) {
   uint64_t bricks = uint64_t{coarse.brickCount()} << D;
-  for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
+  for (int a = 0; a < D; ++a)
+    bricks += finer.total() /
+              static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
   return bricks;
 }
 
@@ -82,7 +88,8 @@ std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>&
   std::optional<uint32_t> common;
   for (std::size_t n = 0; n < power(2, D); ++n) {
     Coordinates<D> finer;
-    for (int a = 0; a < D; ++a) finer[a] = std::min(at[a] * 2 + static_cast<int32_t>(n >> a & 1), fine.table().count(a) - 1);
+    for (int a = 0; a < D; ++a)
+      finer[a] = std::min(at[a] * 2 + static_cast<int32_t>(n >> a & 1), fine.table().count(a) - 1);
     const uint32_t index = fine.index(fine.table().index(finer));
     if (index > Signs<D>::kPositive || index != common.value_or(index)) return std::nullopt;
     common = index;
@@ -90,7 +97,8 @@ std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>&
   return common;
 }
 
-/// A brick of the coarser octave; beyond the lattice its last plane goes on, as it does in the finer bricks.
+/// A brick of the coarser octave; beyond the lattice its last plane goes on, as it does in the
+/// finer bricks.
 template <int D>
 Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
   const auto& table = fine.table();
@@ -107,10 +115,12 @@ Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
     const std::size_t first = table.index(finer);
     auto signsOf = [&](int32_t x) {
       const int32_t end = table.count(0) - 1;
-      const unsigned signs = fine.brickAt(first + static_cast<std::size_t>(std::min(x, end))).rows[finerRow];
+      const unsigned signs =
+          fine.brickAt(first + static_cast<std::size_t>(std::min(x, end))).rows[finerRow];
       return x <= end ? signs : (signs >> (kBrickSide - 1)) * 0xFFu;
     };
-    row = static_cast<uint8_t>(evenBits(signsOf(at[0] * 2)) | evenBits(signsOf(at[0] * 2 + 1)) << 4);
+    row =
+        static_cast<uint8_t>(evenBits(signsOf(at[0] * 2)) | evenBits(signsOf(at[0] * 2 + 1)) << 4);
     for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
   }
   return brick;
@@ -132,7 +142,8 @@ Signs<D> coarsened(const Signs<D>& fine) {
   return coarse;
 }
 
-/// Has the part of a mixed brick that faces the direction -d a vertex that is not of the sign given?
+/// Has the part of a mixed brick that faces the direction -d a vertex that is not of the sign
+/// given?
 template <int D>
 bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t uniform) {
   const unsigned mask = d[0] == 0 ? 0xFFu : d[0] > 0 ? 0x01u : 0x80u;
@@ -161,14 +172,17 @@ bool touchesOther(const Signs<D>& signs, std::size_t brickIndex, const Coordinat
   for (const std::size_t other : signs.table().around(at)) {
     if (other != BrickTable<D>::kNowhere) {
       const uint32_t index = signs.index(other);
-      if (index <= Signs<D>::kPositive ? index != uniform : facingVaries<D>(signs.brick(index), d, uniform)) return true;
+      if (index <= Signs<D>::kPositive ? index != uniform
+                                       : facingVaries<D>(signs.brick(index), d, uniform))
+        return true;
     }
     for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
   }
   return false;
 }
 
-/// Marks the bricks that hold both signs or touch a vertex of the other sign; 1 marked, 0 quiet, by place.
+/// Marks the bricks that hold both signs or touch a vertex of the other sign; 1 marked, 0 quiet, by
+/// place.
 template <int D>
 std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
   const auto& table = signs.table();
@@ -179,13 +193,15 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
     if (mixed) active[brickIndex] = 1;
     bool differs = false;
     for (int a = 0; a < D && !mixed; ++a) {
-      differs = differs || (at[a] + 1 < table.count(a) && signs.index(brickIndex + table.stride(a)) != signs.index(brickIndex));
+      differs = differs || (at[a] + 1 < table.count(a) &&
+                            signs.index(brickIndex + table.stride(a)) != signs.index(brickIndex));
     }
     if (!mixed && !differs) continue;
     Coordinates<D> from, to;
     for (int a = 0; a < D; ++a) {
       from[a] = std::max(at[a] - 1, 0);
-      to[a] = std::min(at[a] + (mixed ? 1 : 2), table.count(a) - 1);  // a brick that differs is one further
+      to[a] = std::min(at[a] + (mixed ? 1 : 2),
+                       table.count(a) - 1);  // a brick that differs is one further
     }
     for (auto v = from;;) {
       uint8_t& mark = active[table.index(v)];
@@ -196,12 +212,14 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
     }
   }
   for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
-    if (active[brickIndex] == 2) active[brickIndex] = touchesOther<D>(signs, brickIndex, table.brick(brickIndex)) ? 1 : 0;
+    if (active[brickIndex] == 2)
+      active[brickIndex] = touchesOther<D>(signs, brickIndex, table.brick(brickIndex)) ? 1 : 0;
   }
   return active;
 }
 
-/// After vertices of a brick have changed: marks its quiet neighbours that now touch a vertex of the other sign.
+/// After vertices of a brick have changed: marks its quiet neighbours that now touch a vertex of
+/// the other sign.
 template <int D>
 void activateAround(const Signs<D>& signs, std::size_t brickIndex, std::vector<uint8_t>& active) {
   const auto& table = signs.table();
@@ -209,7 +227,9 @@ void activateAround(const Signs<D>& signs, std::size_t brickIndex, std::vector<u
   Coordinates<D> d;  // in which the brick lies, seen from a neighbour
   d.fill(1);
   for (const std::size_t other : table.around(table.brick(brickIndex))) {
-    if (other != BrickTable<D>::kNowhere && active[other] == 0 && facingVaries<D>(signs.brickAt(brickIndex), d, signs.index(other))) active[other] = 1;
+    if (other != BrickTable<D>::kNowhere && active[other] == 0 &&
+        facingVaries<D>(signs.brickAt(brickIndex), d, signs.index(other)))
+      active[other] = 1;
     for (int a = 0; a < D && --d[a] == -2; ++a) d[a] = 1;
   }
 }

@@ -1,4 +1,5 @@
-// The rows of signs around one, packed into words: hundreds of neighbours are counted by a few masks and tables.
+// The rows of signs around one, packed into words: hundreds of neighbours are counted by a few
+// masks and tables.
 #pragma once
 
 #include <array>
@@ -23,21 +24,26 @@ struct RowPacks {
     RowPacks packs;
     for (std::size_t w = 0; w < kWords; ++w) {
       const uint16_t* first = row + kFirst[w];
-      for (int i = 0; i < 5; ++i) packs.words[w] |= uint64_t{first[i * Window<D>::rowStride(1)]} << (i * kBits);
+      for (int i = 0; i < 5; ++i)
+        packs.words[w] |= uint64_t{first[i * Window<D>::rowStride(1)]} << (i * kBits);
     }
     return packs;
   }
   /// Turns the sign at bit `at` of the row in the middle, if it is to be turned (1 or 0).
-  void flip(unsigned flipped, int at) { words[kWords / 2] ^= uint64_t{flipped} << (2 * kBits + at); }
+  void flip(unsigned flipped, int at) {
+    words[kWords / 2] ^= uint64_t{flipped} << (2 * kBits + at);
+  }
 
   /// How many vertices of a mask are positive, seen from bit `at` of the row in the middle.
   [[nodiscard]] unsigned count(const RowPacks& mask, int at) const {
     int positive = 0;
-    for (std::size_t w = 0; w < kWords; ++w) positive += std::popcount(words[w] >> (at - 2) & mask.words[w]);
+    for (std::size_t w = 0; w < kWords; ++w)
+      positive += std::popcount(words[w] >> (at - 2) & mask.words[w]);
     return static_cast<unsigned>(positive);
   }
 
-  /// For the nine (3^2) signs of each plane of the 3^D around: what they add to Neighbourhood::Seen.
+  /// For the nine (3^2) signs of each plane of the 3^D around: what they add to
+  /// Neighbourhood::Seen.
   using Slices = std::array<std::array<uint32_t, 512>, power(3, D - 2)>;
 
   /// The slices' sum, seen from bit `at` of the row in the middle.
@@ -69,7 +75,8 @@ struct RowPacks {
     std::array<std::size_t, power(3, D - 2)> near{};
     for (std::size_t s = 0; s < near.size(); ++s) {
       std::size_t word = 0, digits = s;
-      for (std::size_t brickIndex = 1, a = 2; a < D; ++a, digits /= 3, brickIndex *= 5) word += (digits % 3 + 1) * brickIndex;
+      for (std::size_t brickIndex = 1, a = 2; a < D; ++a, digits /= 3, brickIndex *= 5)
+        word += (digits % 3 + 1) * brickIndex;
       near[s] = word;
     }
     return near;
@@ -79,7 +86,8 @@ struct RowPacks {
     for (std::size_t w = 0; w < kWords; ++w) {
       first[w] = -2 * Window<D>::rowStride(1);
       std::size_t digits = w;
-      for (int a = 2; a < D; ++a, digits /= 5) first[w] += (static_cast<int>(digits % 5) - 2) * Window<D>::rowStride(a);
+      for (int a = 2; a < D; ++a, digits /= 5)
+        first[w] += (static_cast<int>(digits % 5) - 2) * Window<D>::rowStride(a);
     }
     return first;
   }();

@@ -37,7 +37,8 @@ struct Brick {
 template <int D>
 Coordinates<D> vertexOf(const Coordinates<D>& brick, std::size_t number) {
   Coordinates<D> v;
-  for (int a = 0; a < D; ++a, number /= kBrickSide) v[a] = brick[a] * kBrickSide + static_cast<int32_t>(number % kBrickSide);
+  for (int a = 0; a < D; ++a, number /= kBrickSide)
+    v[a] = brick[a] * kBrickSide + static_cast<int32_t>(number % kBrickSide);
   return v;
 }
 
@@ -45,7 +46,8 @@ Coordinates<D> vertexOf(const Coordinates<D>& brick, std::size_t number) {
 template <int D>
 std::size_t numberOf(const Coordinates<D>& v) {
   std::size_t number = 0;
-  for (int a = D - 1; a >= 0; --a) number = number * kBrickSide + static_cast<std::size_t>(v[a] & (kBrickSide - 1));
+  for (int a = D - 1; a >= 0; --a)
+    number = number * kBrickSide + static_cast<std::size_t>(v[a] & (kBrickSide - 1));
   return number;
 }
 
@@ -74,7 +76,8 @@ class BrickTable {
   }
   static constexpr std::size_t kNowhere = SIZE_MAX;
   using Around = std::array<std::size_t, power(3, D)>;
-  /// The places of the 3^D bricks around one, itself in the middle, the first axis fastest; kNowhere beyond the table.
+  /// The places of the 3^D bricks around one, itself in the middle, the first axis fastest;
+  /// kNowhere beyond the table.
   [[gnu::noinline]] Around around(const Coordinates<D>& brick) const {
     Around brickIndices;
     alongAxis<D - 1>(brick, index(brick), brickIndices.data());
@@ -101,12 +104,17 @@ class BrickTable {
 
  private:
   template <int Axis>
-  void alongAxis(const Coordinates<D>& brick, std::size_t brickIndex, std::size_t* brickIndices) const {
+  void alongAxis(const Coordinates<D>& brick, std::size_t brickIndex,
+                 std::size_t* brickIndices) const {
     brickIndex -= stride_[Axis];
-    for (int32_t at = brick[Axis] - 1; at <= brick[Axis] + 1; ++at, brickIndices += power(3, Axis), brickIndex += stride_[Axis]) {
-      if (static_cast<uint32_t>(at) >= static_cast<uint32_t>(count_[Axis])) std::fill_n(brickIndices, power(3, Axis), kNowhere);
-      else if constexpr (Axis == 0) *brickIndices = brickIndex;
-      else alongAxis<Axis - 1>(brick, brickIndex, brickIndices);
+    for (int32_t at = brick[Axis] - 1; at <= brick[Axis] + 1;
+         ++at, brickIndices += power(3, Axis), brickIndex += stride_[Axis]) {
+      if (static_cast<uint32_t>(at) >= static_cast<uint32_t>(count_[Axis]))
+        std::fill_n(brickIndices, power(3, Axis), kNowhere);
+      else if constexpr (Axis == 0)
+        *brickIndices = brickIndex;
+      else
+        alongAxis<Axis - 1>(brick, brickIndex, brickIndices);
     }
   }
 
@@ -115,14 +123,16 @@ class BrickTable {
   std::size_t total_ = 0;
 };
 
-/// A sign for every vertex of a lattice. Bricks 0 and 1 are shared by all places that are wholly negative or positive.
+/// A sign for every vertex of a lattice. Bricks 0 and 1 are shared by all places that are wholly
+/// negative or positive.
 template <int D>
 class Signs {
  public:
   static constexpr uint32_t kNegative = 0, kPositive = 1;
 
   Signs() = default;
-  explicit Signs(const Lattice<D>& lattice) : lattice_(lattice), table_(lattice), at_(table_.total(), kNegative), bricks_(2) {
+  explicit Signs(const Lattice<D>& lattice)
+      : lattice_(lattice), table_(lattice), at_(table_.total(), kNegative), bricks_(2) {
     bricks_[kNegative].rows.fill(0x00);
     bricks_[kPositive].rows.fill(0xFF);
   }
@@ -131,13 +141,18 @@ class Signs {
   [[nodiscard]] const BrickTable<D>& table() const { return table_; }
   [[nodiscard]] uint32_t index(std::size_t brickIndex) const { return at_[brickIndex]; }
   [[nodiscard]] const Brick<D>& brick(uint32_t index) const { return bricks_[index]; }
-  [[nodiscard]] const Brick<D>& brickAt(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
+  [[nodiscard]] const Brick<D>& brickAt(std::size_t brickIndex) const {
+    return bricks_[at_[brickIndex]];
+  }
   [[nodiscard]] uint32_t brickCount() const { return static_cast<uint32_t>(bricks_.size()); }
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_); }
+  [[nodiscard]] uint64_t memory() const {
+    return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_);
+  }
   /// Bytes that it takes at most to put so many bricks one after the other.
   [[nodiscard]] static uint64_t memoryToFill(uint64_t brickIndices, uint64_t bricks) {
-    return brickIndices * sizeof(uint32_t) + 3 * (std::min(bricks, brickIndices) + 2) * sizeof(Brick<D>);
+    return brickIndices * sizeof(uint32_t) +
+           3 * (std::min(bricks, brickIndices) + 2) * sizeof(Brick<D>);
   }
 
   void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }
@@ -193,7 +208,8 @@ void forEachMember(const Signs<D>& set, Visit visit) {
     const auto brick = set.table().brick(brickIndex);
     for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
       for (uint32_t open = set.brickAt(brickIndex).rows[r]; open != 0; open &= open - 1) {
-        visit(vertexOf<D>(brick, r * kBrickSide + static_cast<std::size_t>(std::countr_zero(open))));
+        visit(
+            vertexOf<D>(brick, r * kBrickSide + static_cast<std::size_t>(std::countr_zero(open))));
       }
     }
   }

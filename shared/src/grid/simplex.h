@@ -1,4 +1,5 @@
-// A simplex of the RBMT where D bisections are complete (§4.3): Kuhn's subdivision of cells that mirror each other.
+// A simplex of the RBMT where D bisections are complete (§4.3): Kuhn's subdivision of cells that
+// mirror each other.
 #pragma once
 
 #include <array>
@@ -9,8 +10,9 @@
 
 namespace isostar {
 
-/// A path of D steps from the cell's corner with even coordinates to the one with odd coordinates, one axis a step: the
-/// order of axes tells the simplex among the D! of its cell. No record of it exists; neighbours are arithmetic.
+/// A path of D steps from the cell's corner with even coordinates to the one with odd coordinates,
+/// one axis a step: the order of axes tells the simplex among the D! of its cell. No record of it
+/// exists; neighbours are arithmetic.
 template <int D>
 struct Simplex {
   Coordinates<D> start{};             // the corner that is even on every axis
@@ -24,7 +26,8 @@ struct Simplex {
     return v;
   }
 
-  /// The simplex on the other side of the face opposite vertex i, if the box holds one; its vertex i is the new one.
+  /// The simplex on the other side of the face opposite vertex i, if the box holds one; its vertex
+  /// i is the new one.
   [[nodiscard]] std::optional<Simplex> across(int i, const Lattice<D>& lattice) const {
     Simplex other = *this;
     if (i > 0 && i < D) {
@@ -68,7 +71,8 @@ struct Simplex {
   [[nodiscard]] std::size_t index(const Lattice<D>& lattice) const {
     const auto c = cell();
     std::size_t at = 0;
-    for (int a = D - 1; a >= 0; --a) at = at * static_cast<std::size_t>(lattice.last[a]) + static_cast<std::size_t>(c[a]);
+    for (int a = D - 1; a >= 0; --a)
+      at = at * static_cast<std::size_t>(lattice.last[a]) + static_cast<std::size_t>(c[a]);
     return at * perCell() + rank();
   }
   [[nodiscard]] static Simplex at(std::size_t index, const Lattice<D>& lattice) {

@@ -7,8 +7,8 @@
 
 namespace isostar {
 
-/// Two classes (§5.3): ends of crossing axis edges, all that `cubes` needs; and the other ends of crossing edges of the
-/// RBMT, its diagonals, that only `tetrahedra` needs.
+/// Two classes (§5.3): ends of crossing axis edges, all that `cubes` needs; and the other ends of
+/// crossing edges of the RBMT, its diagonals, that only `tetrahedra` needs.
 enum class Members : uint8_t { AxisEnds, DiagonalEnds };
 
 /// Vertices of a brick as a set of bits; a word has eight rows.
@@ -41,8 +41,12 @@ struct VertexSet {
   }
 
   /// Vertex x of row r, in word r / 8.
-  static uint64_t bit(std::size_t r, int x) { return uint64_t{1} << (r % kBrickSide * kBrickSide + static_cast<unsigned>(x)); }
-  [[nodiscard]] bool has(std::size_t r, int x) const { return (words[r / kBrickSide] & bit(r, x)) != 0; }
+  static uint64_t bit(std::size_t r, int x) {
+    return uint64_t{1} << (r % kBrickSide * kBrickSide + static_cast<unsigned>(x));
+  }
+  [[nodiscard]] bool has(std::size_t r, int x) const {
+    return (words[r / kBrickSide] & bit(r, x)) != 0;
+  }
   /// Calls visit(r, x) for each in order.
   template <class Visit>
   void forEach(Visit visit) const {
@@ -78,7 +82,8 @@ class Tube {
       const unsigned shift = r % kBrickSide * kBrickSide;
       const uint64_t ends = uint64_t{diagonalEnds(v)} << shift & inside.words[r / kBrickSide];
       members_.words[r / kBrickSide] |= ends;
-      positive_.words[r / kBrickSide] |= uint64_t{bits(Window<D>::row(v)) >> Window<D>::kHalo} << shift & ends;
+      positive_.words[r / kBrickSide] |=
+          uint64_t{bits(Window<D>::row(v)) >> Window<D>::kHalo} << shift & ends;
       for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
     }
   }
@@ -94,17 +99,24 @@ class Tube {
     for (std::size_t w = 0; w < kept.words.size(); ++w) positive_.words[w] &= kept.words[w];
   }
 
-  [[nodiscard]] bool empty() const { return std::all_of(members_.words.begin(), members_.words.end(), [](uint64_t w) { return w == 0; }); }
+  [[nodiscard]] bool empty() const {
+    return std::all_of(members_.words.begin(), members_.words.end(),
+                       [](uint64_t w) { return w == 0; });
+  }
   [[nodiscard]] const VertexSet<D>& members() const { return members_; }
   [[nodiscard]] const Window<D>& window() const { return window_; }
   [[nodiscard]] const BrickTable<D>& table() const { return *table_; }
   [[nodiscard]] const Coordinates<D>& at() const { return at_; }
-  [[nodiscard]] bool positive(int row, int x) const { return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0; }
+  [[nodiscard]] bool positive(int row, int x) const {
+    return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0;
+  }
 
   /// How many of a vertex's neighbours along the axes are positive.
   [[nodiscard]] int positivesBeside(int row, int x) const {
     int count = std::popcount(bits(row) >> (x + Window<D>::kHalo - 1) & 5u);
-    for (int a = 1; a < D; ++a) count += positive(row - Window<D>::rowStride(a), x) + positive(row + Window<D>::rowStride(a), x);
+    for (int a = 1; a < D; ++a)
+      count +=
+          positive(row - Window<D>::rowStride(a), x) + positive(row + Window<D>::rowStride(a), x);
     return count;
   }
 
@@ -120,7 +132,8 @@ class Tube {
   void forEach(bool positive, Visit visit) const {
     VertexSet<D> set = positive_;
     if (!positive) {
-      for (std::size_t w = 0; w < set.words.size(); ++w) set.words[w] = members_.words[w] & ~positive_.words[w];
+      for (std::size_t w = 0; w < set.words.size(); ++w)
+        set.words[w] = members_.words[w] & ~positive_.words[w];
     }
     set.forEach([&](std::size_t r, int x) { visit(Window<D>::kOwnRows[r], r, x); });
   }
@@ -142,7 +155,9 @@ class Tube {
       const int first = Window<D>::kOwnRows[w * kBrickSide];
       const auto mine = window_.eightFrom(first);
       auto crossing = (mine ^ mine >> 1) | (mine ^ mine << 1);
-      for (int a = 1; a < D; ++a) crossing |= (mine ^ window_.eightFrom(first - Window<D>::rowStride(a))) | (mine ^ window_.eightFrom(first + Window<D>::rowStride(a)));
+      for (int a = 1; a < D; ++a)
+        crossing |= (mine ^ window_.eightFrom(first - Window<D>::rowStride(a))) |
+                    (mine ^ window_.eightFrom(first + Window<D>::rowStride(a)));
       members_.words[w] &= joined(crossing >> Window<D>::kHalo);
       positive_.words[w] = members_.words[w] & joined(mine >> Window<D>::kHalo);
     }
@@ -150,11 +165,13 @@ class Tube {
   /// The lower bytes of eight rows.
   static uint64_t joined(typename Window<D>::Rows rows) {
     uint64_t word = 0;
-    for (unsigned y = 0; y < kBrickSide; ++y) word |= uint64_t{static_cast<uint8_t>(rows[y])} << y * kBrickSide;
+    for (unsigned y = 0; y < kBrickSide; ++y)
+      word |= uint64_t{static_cast<uint8_t>(rows[y])} << y * kBrickSide;
     return word;
   }
 
-  /// An edge of the RBMT along several axes joins a vertex even on all of them to one odd on all of them.
+  /// An edge of the RBMT along several axes joins a vertex even on all of them to one odd on all of
+  /// them.
   [[nodiscard]] uint32_t diagonalEnds(const Coordinates<D>& v) const {
     const uint32_t mine = bits(Window<D>::row(v));
     uint32_t crossing = 0;
@@ -170,7 +187,10 @@ class Tube {
       }
       if (axes + (d[0] != 0) >= 2 && (odd == 0 || odd == axes)) {
         const uint32_t theirs = bits(Window<D>::row(other));
-        const uint32_t differ = (mine ^ (d[0] == 0 ? theirs : d[0] < 0 ? theirs << 1 : theirs >> 1)) >> Window<D>::kHalo;
+        const uint32_t differ = (mine ^ (d[0] == 0  ? theirs
+                                         : d[0] < 0 ? theirs << 1
+                                                    : theirs >> 1)) >>
+                                Window<D>::kHalo;
         crossing |= d[0] == 0 ? differ : differ & (odd != 0 ? 0xAAu : 0x55u);
       }
       for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;

@@ -1,4 +1,5 @@
-// The open vertices of a lattice, and those of them beside a vertex of the other sign: where a surface goes on.
+// The open vertices of a lattice, and those of them beside a vertex of the other sign: where a
+// surface goes on.
 #pragma once
 
 #include <bit>
@@ -8,8 +9,8 @@
 
 namespace isostar {
 
-/// Signs that are being found out. Bricks wait in a queue; one is entered at a time, looked at with its surroundings and
-/// left, upon which its neighbours wait again if it has changed.
+/// Signs that are being found out. Bricks wait in a queue; one is entered at a time, looked at with
+/// its surroundings and left, upon which its neighbours wait again if it has changed.
 template <int D>
 class VertexFront {
  public:
@@ -22,28 +23,37 @@ class VertexFront {
     first_ = waiting_ = 0;
     const auto& lattice = signs.lattice();
     for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) {
-      if ((below != nullptr && below->index(brickIndex) == Signs<D>::kNegative) || (above != nullptr && above->index(brickIndex) == Signs<D>::kPositive)) continue;
+      if ((below != nullptr && below->index(brickIndex) == Signs<D>::kNegative) ||
+          (above != nullptr && above->index(brickIndex) == Signs<D>::kPositive))
+        continue;
       const auto at = signs.table().brick(brickIndex);
       Brick<D> brick;
       for (std::size_t r = 0; r < brick.rows.size(); ++r) {
         brick.rows[r] = inside(lattice, at, r);
         if (below != nullptr) brick.rows[r] &= below->brickAt(brickIndex).rows[r];
-        if (above != nullptr) brick.rows[r] &= static_cast<uint8_t>(~above->brickAt(brickIndex).rows[r]);
+        if (above != nullptr)
+          brick.rows[r] &= static_cast<uint8_t>(~above->brickAt(brickIndex).rows[r]);
       }
       open_.put(brickIndex, brick);
     }
   }
 
   [[nodiscard]] std::size_t tableSize() const { return signs_->table().total(); }
-  [[nodiscard]] bool open(std::size_t brickIndex) const { return open_.index(brickIndex) != Signs<D>::kNegative; }
-  [[nodiscard]] uint32_t openRow(std::size_t brickIndex, std::size_t r) const { return open_.brickAt(brickIndex).rows[r]; }
+  [[nodiscard]] bool open(std::size_t brickIndex) const {
+    return open_.index(brickIndex) != Signs<D>::kNegative;
+  }
+  [[nodiscard]] uint32_t openRow(std::size_t brickIndex, std::size_t r) const {
+    return open_.brickAt(brickIndex).rows[r];
+  }
   /// Bytes in use, while one more brick is made, or while the signs become tidy.
   [[nodiscard]] uint64_t memory() const {
-    return open_.memory() + tableSize() * kBytesOfPosition + Signs<D>::memoryToFill(tableSize(), signs_->brickCount());
+    return open_.memory() + tableSize() * kBytesOfPosition +
+           Signs<D>::memoryToFill(tableSize(), signs_->brickCount());
   }
   /// Bytes that it takes at most to begin between signs with so many bricks.
   [[nodiscard]] static uint64_t memoryToBegin(const BrickTable<D>& table, uint64_t bricks) {
-    for (int a = 0; a < D; ++a) bricks += table.total() / static_cast<std::size_t>(table.count(a));  // the lattice's end
+    for (int a = 0; a < D; ++a)
+      bricks += table.total() / static_cast<std::size_t>(table.count(a));  // the lattice's end
     return table.total() * kBytesOfPosition + Signs<D>::memoryToFill(table.total(), bricks);
   }
 
@@ -83,7 +93,8 @@ class VertexFront {
   /// What became of the signs: bricks of a single one are shared again.
   void end() {
     Signs<D> tidy(signs_->lattice());
-    for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) tidy.put(brickIndex, signs_->brickAt(brickIndex));
+    for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex)
+      tidy.put(brickIndex, signs_->brickAt(brickIndex));
     *signs_ = std::move(tidy);
     *this = VertexFront();
   }
@@ -102,7 +113,9 @@ class VertexFront {
     const int row = Window<D>::kOwnRows[r];
     const uint32_t mine = window_.rows[row];
     uint32_t differ = (mine ^ mine >> 1) | (mine ^ mine << 1);
-    for (int a = 1; a < D; ++a) differ |= (mine ^ window_.rows[row - Window<D>::rowStride(a)]) | (mine ^ window_.rows[row + Window<D>::rowStride(a)]);
+    for (int a = 1; a < D; ++a)
+      differ |= (mine ^ window_.rows[row - Window<D>::rowStride(a)]) |
+                (mine ^ window_.rows[row + Window<D>::rowStride(a)]);
     return differ >> Window<D>::kHalo & open;
   }
 
@@ -117,7 +130,9 @@ class VertexFront {
     const int32_t count = std::min(lattice.last[0] + 1 - at[0] * kBrickSide, kBrickSide);
     return static_cast<uint8_t>((1u << count) - 1);
   }
-  [[nodiscard]] bool bit(int row, int x) const { return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0; }
+  [[nodiscard]] bool bit(int row, int x) const {
+    return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0;
+  }
 
   void queue(std::size_t brickIndex) {
     if (queued_[brickIndex] != 0 || !open(brickIndex)) return;

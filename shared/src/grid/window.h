@@ -10,8 +10,8 @@
 
 namespace isostar {
 
-/// Planes -kHalo … 7 + kHalo of a brick on every axis; bit x + kHalo of a row is vertex x. Beyond the lattice the
-/// signs are mirrored.
+/// Planes -kHalo … 7 + kHalo of a brick on every axis; bit x + kHalo of a row is vertex x. Beyond
+/// the lattice the signs are mirrored.
 template <int D>
 class Window {
  public:
@@ -23,10 +23,12 @@ class Window {
   static constexpr int rowStride(int axis) { return kRowStrides[static_cast<std::size_t>(axis)]; }
   static constexpr std::array<int, D> kRowStrides = [] {
     std::array<int, D> strides{};
-    for (int a = 1; a < D; ++a) strides[static_cast<std::size_t>(a)] = static_cast<int>(power(kSide, a - 1));
+    for (int a = 1; a < D; ++a)
+      strides[static_cast<std::size_t>(a)] = static_cast<int>(power(kSide, a - 1));
     return strides;
   }();
-  /// The row through the brick's vertex with outer coordinates `outer` (axis 0 is ignored), each within [-kHalo, 8 + kHalo).
+  /// The row through the brick's vertex with outer coordinates `outer` (axis 0 is ignored), each
+  /// within [-kHalo, 8 + kHalo).
   static constexpr int row(const Coordinates<D>& outer) {
     int at = 0;
     for (int a = D - 1; a >= 1; --a) at = at * kSide + outer[a] + kHalo;
@@ -36,7 +38,9 @@ class Window {
   void load(const Signs<D>& signs, const Coordinates<D>& brick) {
     const auto& lattice = signs.lattice();
     bool interior = true;
-    for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
+    for (int a = 0; a < D; ++a)
+      interior = interior && brick[a] > 0 &&
+                 brick[a] * kBrickSide + kBrickSide + kHalo <= lattice.last[a] + 1;
     const Near near = bricksAround(signs, brick);
     copy(near);
     if (interior) return;
@@ -68,21 +72,26 @@ class Window {
  private:
   using Near = std::array<const uint8_t*, power(3, D)>;
 
-  /// Three a row of bricks; for one beyond the table another stands in until mirror images cover it.
+  /// Three a row of bricks; for one beyond the table another stands in until mirror images cover
+  /// it.
   static Near bricksAround(const Signs<D>& signs, const Coordinates<D>& brick) {
     const auto brickIndices = signs.table().around(brick);
     const std::size_t own = brickIndices[brickIndices.size() / 2];
     Near near;
-    for (std::size_t n = 0; n < near.size(); ++n) near[n] = signs.brickAt(brickIndices[n] == BrickTable<D>::kNowhere ? own : brickIndices[n]).rows.data();
+    for (std::size_t n = 0; n < near.size(); ++n)
+      near[n] = signs.brickAt(brickIndices[n] == BrickTable<D>::kNowhere ? own : brickIndices[n])
+                    .rows.data();
     return near;
   }
 
   static uint16_t joined(uint8_t before, uint8_t here, uint8_t after) {
-    return static_cast<uint16_t>((before >> (kBrickSide - kHalo) | here << kHalo | after << (kBrickSide + kHalo)) & ((1 << kSide) - 1));
+    return static_cast<uint16_t>(
+        (before >> (kBrickSide - kHalo) | here << kHalo | after << (kBrickSide + kHalo)) &
+        ((1 << kSide) - 1));
   }
 
-  /// Rows come in runs along axis 1: the last of one brick, all of the next, the first of the one after. Their bytes first, so
-  /// that the compiler joins many rows at a time.
+  /// Rows come in runs along axis 1: the last of one brick, all of the next, the first of the one
+  /// after. Their bytes first, so that the compiler joins many rows at a time.
   void copy(const Near& near) {
     std::array<std::array<uint8_t, kRows>, 3> bytes;  // before, here and after
     std::array<int, D> plane{};
@@ -108,7 +117,8 @@ class Window {
 
   /// Rows beyond the lattice become those that mirror them.
   void mirrorRows(const Near& near, const Lattice<D>& lattice, const Coordinates<D>& brick) {
-    // For each outer axis and plane of the window: which of the three bricks, which rows of it, and is it a mirror image?
+    // For each outer axis and plane of the window: which of the three bricks, which rows of it, and
+    // is it a mirror image?
     std::array<std::array<uint8_t, kSide>, D> nearAt{}, rowAt{};
     std::array<uint32_t, D> images{};
     for (int a = 1; a < D; ++a) {
@@ -133,7 +143,8 @@ class Window {
       for (; open != 0; open &= open - 1) {
         const int r = std::countr_zero(open);
         const std::size_t n = outerNear + nearAt[1][r], row = outerRow + rowAt[1][r];
-        rows[first + static_cast<std::size_t>(r)] = joined(near[n][row], near[n + 1][row], near[n + 2][row]);
+        rows[first + static_cast<std::size_t>(r)] =
+            joined(near[n][row], near[n + 1][row], near[n + 2][row]);
       }
       for (int a = 2; a < D && ++i[a] == kSide; ++a) i[a] = 0;
     }
@@ -147,12 +158,15 @@ class Window {
       return;
     }
     if (start == 0) {
-      for (uint16_t& bits : rows) bits = static_cast<uint16_t>((bits & ~3u) | (bits >> 4 & 1) | (bits >> 2 & 2));
+      for (uint16_t& bits : rows)
+        bits = static_cast<uint16_t>((bits & ~3u) | (bits >> 4 & 1) | (bits >> 2 & 2));
     }
     if (end < kSide - 1) {
       const uint32_t inside = (2u << end) - 1, all = (1u << kSide) - 1;
       for (uint16_t& bits : rows) {
-        bits = static_cast<uint16_t>(((bits & inside) | (bits >> (end - 1) & 1) << (end + 1) | (bits >> (end - 2) & 1) << (end + 2)) & all);
+        bits = static_cast<uint16_t>(((bits & inside) | (bits >> (end - 1) & 1) << (end + 1) |
+                                      (bits >> (end - 2) & 1) << (end + 2)) &
+                                     all);
       }
     }
   }
@@ -160,7 +174,8 @@ class Window {
   /// In a box of one or two planes the mirror images have images of their own.
   static uint32_t mirroredFlat(const Lattice<D>& lattice, uint32_t bits) {
     uint32_t result = 0;
-    for (int i = 0; i < kSide; ++i) result |= (bits >> (lattice.mirrored(0, i - kHalo) + kHalo) & 1) << i;
+    for (int i = 0; i < kSide; ++i)
+      result |= (bits >> (lattice.mirrored(0, i - kHalo) + kHalo) & 1) << i;
     return result;
   }
 };

@@ -6,14 +6,15 @@
 #include <type_traits>
 
 #include "grid/refined_signs.h"
-#include "scalars/scalar_window.h"
 #include "grid/window.h"
+#include "scalars/scalar_window.h"
 
 namespace isostar {
 
-/// Which edges along a set of axes from the vertices of a row (of a Window, row r of its brick) are crossed; bit x for
-/// the edge from vertex x. An edge along several axes is the diagonal of a face or cell that the RBMT has (§4.3): it
-/// joins the vertex that is even on these axes with the one that is odd on them.
+/// Which edges along a set of axes from the vertices of a row (of a Window, row r of its brick) are
+/// crossed; bit x for the edge from vertex x. An edge along several axes is the diagonal of a face
+/// or cell that the RBMT has (§4.3): it joins the vertex that is even on these axes with the one
+/// that is odd on them.
 template <int D>
 uint32_t crossedEdges(const Window<D>& window, int row, unsigned r, unsigned axes) {
   int evenRow = row, oddRow = row;
@@ -22,31 +23,39 @@ uint32_t crossedEdges(const Window<D>& window, int row, unsigned r, unsigned axe
     const bool odd = (r & 1) != 0;
     (odd ? evenRow : oddRow) += Window<D>::rowStride(a);
   }
-  const uint32_t even = uint32_t{window.rows[evenRow]} >> Window<D>::kHalo, odd = uint32_t{window.rows[oddRow]} >> Window<D>::kHalo;
+  const uint32_t even = uint32_t{window.rows[evenRow]} >> Window<D>::kHalo,
+                 odd = uint32_t{window.rows[oddRow]} >> Window<D>::kHalo;
   if ((axes & 1) == 0) return even ^ odd;
   return ((even ^ odd >> 1) & 0x55) | ((even >> 1 ^ odd) & 0xAA);
 }
 
 /// The vertices of row r of a brick from which edges along a set of axes stay inside the lattice.
 template <int D>
-uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coordinates<D>>& brick, unsigned r, unsigned axes) {
+uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coordinates<D>>& brick,
+                     unsigned r, unsigned axes) {
   for (int a = 1; a < D; ++a, r /= kBrickSide) {
-    if (brick[a] * kBrickSide + static_cast<int32_t>(r % kBrickSide) + static_cast<int32_t>(axes >> a & 1) > lattice.last[a]) return 0;
+    if (brick[a] * kBrickSide + static_cast<int32_t>(r % kBrickSide) +
+            static_cast<int32_t>(axes >> a & 1) >
+        lattice.last[a])
+      return 0;
   }
-  const int32_t count = std::clamp(lattice.last[0] - static_cast<int32_t>(axes & 1) - brick[0] * kBrickSide + 1, 0, kBrickSide);
+  const int32_t count = std::clamp(
+      lattice.last[0] - static_cast<int32_t>(axes & 1) - brick[0] * kBrickSide + 1, 0, kBrickSide);
   return (1u << count) - 1;
 }
 
-/// Calls enter(place) for each marked brick and then visit(brick, row, axes, crossed) for its rows with edges along a set
-/// of axes that are crossed, bit x of `crossed` for the edge from vertex x.
+/// Calls enter(place) for each marked brick and then visit(brick, row, axes, crossed) for its rows
+/// with edges along a set of axes that are crossed, bit x of `crossed` for the edge from vertex x.
 template <int D, class Enter, class Visit>
-void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals, Enter enter, Visit visit) {
+void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals,
+                    Enter enter, Visit visit) {
   Window<D> window;
   for (std::size_t brickIndex = 0; brickIndex < marked.size(); ++brickIndex) {
     if (marked[brickIndex] == 0) continue;
     const auto brick = signs.table().brick(brickIndex);
     bool interior = true;
-    for (int a = 0; a < D; ++a) interior = interior && brick[a] * kBrickSide + kBrickSide <= signs.lattice().last[a];
+    for (int a = 0; a < D; ++a)
+      interior = interior && brick[a] * kBrickSide + kBrickSide <= signs.lattice().last[a];
     window.load(signs, brick);
     enter(brickIndex);
     for (unsigned axes = 1; axes < 1u << D; ++axes) {
@@ -60,13 +69,16 @@ void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, b
   }
 }
 
-/// How many axis edges of the marked bricks have ends of both signs: the vertices of marching cubes.
+/// How many axis edges of the marked bricks have ends of both signs: the vertices of marching
+/// cubes.
 template <int D>
 uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marked) {
   uint64_t count = 0;
-  forCrossedRows(signs, marked, false, [](std::size_t) {}, [&](const Coordinates<D>&, unsigned, unsigned, uint32_t crossed) {
-    count += static_cast<uint64_t>(std::popcount(crossed));
-  });
+  forCrossedRows(
+      signs, marked, false, [](std::size_t) {},
+      [&](const Coordinates<D>&, unsigned, unsigned, uint32_t crossed) {
+        count += static_cast<uint64_t>(std::popcount(crossed));
+      });
   return count;
 }
 

@@ -1,10 +1,11 @@
-// A brick's displacements with those next to it, copied where every neighbour is a fixed offset away.
+// A brick's displacements with those next to it, copied where every neighbour is a fixed offset
+// away.
 #pragma once
 
 #include <cstring>
 
-#include "scalars/displacements.h"
 #include "grid/halo_window.h"
+#include "scalars/displacements.h"
 
 namespace isostar {
 
@@ -12,22 +13,27 @@ template <int D>
 class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide> {
  public:
   using Values = Displacements<D>;
-  using DisplacementWindow::HaloWindow::kSide, DisplacementWindow::HaloWindow::stride, DisplacementWindow::HaloWindow::value;
+  using DisplacementWindow::HaloWindow::kSide, DisplacementWindow::HaloWindow::stride,
+      DisplacementWindow::HaloWindow::value;
 
   /// Of a block of the brick.
   static int index(std::size_t block) { return kIndex[block]; }
 
-  [[gnu::noinline]] void load(const Values& displacements, const BrickTable<D>& table, const Coordinates<D>& brick) {
-    this->gather(table, brick, displacements.nothing().data(), [&](std::size_t brickIndex) { return displacements.at(brickIndex).data(); });
+  [[gnu::noinline]] void load(const Values& displacements, const BrickTable<D>& table,
+                              const Coordinates<D>& brick) {
+    this->gather(table, brick, displacements.nothing().data(),
+                 [&](std::size_t brickIndex) { return displacements.at(brickIndex).data(); });
   }
 
   /// Makes at() ready.
   [[gnu::noinline]] void spread() {
-    std::array<int8_t, power(kSide, D) + kBrickSide - kSide> padded{};  // rows of kSide are read as eight
+    std::array<int8_t, power(kSide, D) + kBrickSide - kSide>
+        padded{};  // rows of kSide are read as eight
     std::copy(value.begin(), value.end(), padded.begin());
     std::array<Row, power(kSide, D - 1)> sums, weights;
     for (std::size_t r = 0; r < sums.size(); ++r) {
-      const Row blocks = __builtin_convertvector(blocksAt(&padded[r * kSide]), Row), coded = blocks != Values::kNone;
+      const Row blocks = __builtin_convertvector(blocksAt(&padded[r * kSide]), Row),
+                coded = blocks != Values::kNone;
       sums[r] = alongRow(blocks & coded);
       weights[r] = alongRow(-coded);
     }
@@ -35,9 +41,11 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     interpolate(weights.data(), weights_.data());
   }
   /// Of vertex x of row r of the brick, as a ShapeEstimate counts.
-  [[nodiscard]] int32_t at(std::size_t r, int x) const { return sums_[r][x] * kScale[static_cast<std::size_t>(weights_[r][x])] >> 8; }
-  /// Of a vertex, -1 … 8 on each axis from the brick's first one: the mean of the blocks nearest to it, its own with three times
-  /// the weight on each axis.
+  [[nodiscard]] int32_t at(std::size_t r, int x) const {
+    return sums_[r][x] * kScale[static_cast<std::size_t>(weights_[r][x])] >> 8;
+  }
+  /// Of a vertex, -1 … 8 on each axis from the brick's first one: the mean of the blocks nearest to
+  /// it, its own with three times the weight on each axis.
   [[nodiscard]] int32_t smooth(const Coordinates<D>& vertex) const {
     int first = 0;
     std::array<int, D> beside{};
@@ -67,16 +75,20 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     std::array<int16_t, Values::kBlocks> index{};
     for (std::size_t block = 0; block < index.size(); ++block) {
       std::size_t digits = block;
-      for (int a = 0; a < D; ++a, digits /= Values::kSide) index[block] = static_cast<int16_t>(index[block] + static_cast<int>(digits % Values::kSide + 1) * stride(a));
+      for (int a = 0; a < D; ++a, digits /= Values::kSide)
+        index[block] = static_cast<int16_t>(
+            index[block] + static_cast<int>(digits % Values::kSide + 1) * stride(a));
     }
     return index;
   }();
 
-  static constexpr std::size_t kWeights = power(4, D);  // of the blocks around a vertex, all together
+  static constexpr std::size_t kWeights =
+      power(4, D);  // of the blocks around a vertex, all together
   /// 2^8 · kPlaneSlope / kPerStep over a weight.
   static constexpr std::array<int32_t, kWeights + 1> kScale = [] {
     std::array<int32_t, kWeights + 1> scale{};
-    for (std::size_t weight = 1; weight <= kWeights; ++weight) scale[weight] = 256 * Values::kPlaneSlope / (Values::kPerStep * static_cast<int32_t>(weight));
+    for (std::size_t weight = 1; weight <= kWeights; ++weight)
+      scale[weight] = 256 * Values::kPlaneSlope / (Values::kPerStep * static_cast<int32_t>(weight));
     return scale;
   }();
 
@@ -94,7 +106,8 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
 
   /// Three times a vertex's own block and once the nearest one beside it, along the first axis.
   static Row alongRow(Row blocks) {
-    return kOwn * __builtin_shufflevector(blocks, blocks, 1, 1, 2, 2, 3, 3, 4, 4) + __builtin_shufflevector(blocks, blocks, 0, 2, 1, 3, 2, 4, 3, 5);
+    return kOwn * __builtin_shufflevector(blocks, blocks, 1, 1, 2, 2, 3, 3, 4, 4) +
+           __builtin_shufflevector(blocks, blocks, 0, 2, 1, 3, 2, 4, 3, 5);
   }
   /// The same along the others, from the blocks' rows to the vertices'.
   static void interpolate(const Row* blocks, Row* vertices) {

@@ -1,11 +1,13 @@
-// What is known of the field itself, by all isovalues that have been told (§5.4): an interval for each vertex of their tubes.
+// What is known of the field itself, by all isovalues that have been told (§5.4): an interval for
+// each vertex of their tubes.
 #pragma once
 
 #include "scalars/scalars.h"
 
 namespace isostar {
 
-/// A sample's level counts quanta from the first isovalue: 0 is the first one above it, -1 the first one that is not.
+/// A sample's level counts quanta from the first isovalue: 0 is the first one above it, -1 the
+/// first one that is not.
 struct Interval {
   static constexpr int32_t kFar = 1 << 29;  // a bound that is none
 
@@ -23,9 +25,11 @@ struct Interval {
   /// Of a magnitude as Scalars keep it, seen from a level.
   [[nodiscard]] static Interval of(int32_t value, int32_t isoStep) {
     const auto middle = static_cast<uint32_t>(std::abs(value));
-    const auto low = static_cast<int32_t>((middle & (middle - 1)) / 2), high = low + (int32_t{1} << std::countr_zero(middle));
+    const auto low = static_cast<int32_t>((middle & (middle - 1)) / 2),
+               high = low + (int32_t{1} << std::countr_zero(middle));
     const Interval interval = value > 0 ? Interval{low, high} : Interval{-high, -low};
-    return {std::clamp(interval.low + isoStep, -kFar, kFar), std::clamp(interval.high + isoStep, -kFar, kFar)};
+    return {std::clamp(interval.low + isoStep, -kFar, kFar),
+            std::clamp(interval.high + isoStep, -kFar, kFar)};
   }
 };
 
@@ -52,7 +56,8 @@ class Intervals {
   void add(std::size_t brickIndex, const typename Scalars<D>::Brick& scalars, int32_t isoStep) {
     Brick& brick = writable(brickIndex);
     for (std::size_t v = 0; v < brick.size(); ++v) {
-      if (scalars.knows(v) && !brick[v].bounded()) brick[v] = Interval::of(scalars.value[v], isoStep);
+      if (scalars.knows(v) && !brick[v].bounded())
+        brick[v] = Interval::of(scalars.value[v], isoStep);
     }
   }
   /// Bytes in use, while one more brick is made.

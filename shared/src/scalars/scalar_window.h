@@ -14,7 +14,8 @@ struct ScalarWindow : HaloWindow<D, int32_t, kBrickSide> {
   static int index(std::size_t r, int x) { return kRowIndex[r] + x; }
 
   void load(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& brick) {
-    this->gather(table, brick, scalars.nothing().value.data(), [&](std::size_t brickIndex) { return scalars.at(brickIndex).value.data(); });
+    this->gather(table, brick, scalars.nothing().value.data(),
+                 [&](std::size_t brickIndex) { return scalars.at(brickIndex).value.data(); });
   }
 
  private:
@@ -23,7 +24,8 @@ struct ScalarWindow : HaloWindow<D, int32_t, kBrickSide> {
     for (std::size_t r = 0; r < index.size(); ++r) {
       int at = 1;
       std::size_t digits = r;
-      for (int a = 1; a < D; ++a, digits /= kBrickSide) at += (static_cast<int>(digits % kBrickSide) + 1) * stride(a);
+      for (int a = 1; a < D; ++a, digits /= kBrickSide)
+        at += (static_cast<int>(digits % kBrickSide) + 1) * stride(a);
       index[r] = at;
     }
     return index;

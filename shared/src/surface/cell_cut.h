@@ -6,10 +6,11 @@
 
 namespace isostar {
 
-/// The vertices that a brick's cells may need, the next bricks' first ones among them: a place for each edge, by its set of axes and
-/// its least vertex.
+/// The vertices that a brick's cells may need, the next bricks' first ones among them: a place for
+/// each edge, by its set of axes and its least vertex.
 struct EdgePositions {
-  static constexpr unsigned kSide = kBrickSide + 1, kOfSet = kSide * kSide * kSide, kCount = 7 * kOfSet;
+  static constexpr unsigned kSide = kBrickSide + 1, kOfSet = kSide * kSide * kSide,
+                            kCount = 7 * kOfSet;
 
   static constexpr unsigned at(unsigned axes, unsigned x, unsigned y, unsigned z) {
     return (axes - 1) * kOfSet + x + kSide * y + kSide * kSide * z;
@@ -25,7 +26,8 @@ struct CellCut {
     for (std::size_t i = 0; i < corners; ++i) {
       const std::size_t corner = mirrored && i % 3 != 0 ? 3 - i % 3 : i % 3;
       const auto [first, axes] = shape.edges[shape.triangles[i / 3][corner]];
-      edges[i] = static_cast<uint16_t>(EdgePositions::at(axes, first & 1, first >> 1 & 1, first >> 2 & 1));
+      edges[i] =
+          static_cast<uint16_t>(EdgePositions::at(axes, first & 1, first >> 1 & 1, first >> 2 & 1));
     }
   }
 };

@@ -10,7 +10,9 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-bool positive(unsigned signs, unsigned corner) { return (signs >> corner & 1) != 0; }
+bool positive(unsigned signs, unsigned corner) {
+  return (signs >> corner & 1) != 0;
+}
 
 Point middle(const CellEdge& e) {
   Point p;
@@ -18,14 +20,17 @@ Point middle(const CellEdge& e) {
   return p;
 }
 
-/// A segment of the surface on a face, from one crossed edge to another, positive side on its left seen from outside
-/// the cell: the polygon that they make turns counter-clockwise seen from the negative side.
+/// A segment of the surface on a face, from one crossed edge to another, positive side on its left
+/// seen from outside the cell: the polygon that they make turns counter-clockwise seen from the
+/// negative side.
 struct Segment {
   CellEdge from, to;
 };
 
 /// The edge between two corners of a cell.
-CellEdge between(unsigned a, unsigned b) { return {static_cast<uint8_t>(a & b), static_cast<uint8_t>(a ^ b)}; }
+CellEdge between(unsigned a, unsigned b) {
+  return {static_cast<uint8_t>(a & b), static_cast<uint8_t>(a ^ b)};
+}
 
 /// A face's corners in counter-clockwise order, seen from outside the cell.
 std::array<unsigned, 4> faceCorners(unsigned axis, bool far) {
@@ -36,12 +41,14 @@ std::array<unsigned, 4> faceCorners(unsigned axis, bool far) {
 }
 
 /// Each positive run of a face's corners is cut off by a segment of its own.
-void cutFace(unsigned signs, const std::array<unsigned, 4>& corners, std::vector<Segment>& segments) {
+void cutFace(unsigned signs, const std::array<unsigned, 4>& corners,
+             std::vector<Segment>& segments) {
   for (unsigned i = 0; i < 4; ++i) {
     if (positive(signs, corners[i]) || !positive(signs, corners[(i + 1) % 4])) continue;
     unsigned j = (i + 1) % 4;
     while (positive(signs, corners[(j + 1) % 4])) j = (j + 1) % 4;
-    segments.push_back({between(corners[i], corners[(i + 1) % 4]), between(corners[j], corners[(j + 1) % 4])});
+    segments.push_back(
+        {between(corners[i], corners[(i + 1) % 4]), between(corners[j], corners[(j + 1) % 4])});
   }
 }
 
@@ -54,7 +61,8 @@ unsigned facesOf(const CellEdge& e) {
   return faces;
 }
 
-/// Cuts a polygon into triangles without a diagonal inside a face: such a one would meet its like in the next cell.
+/// Cuts a polygon into triangles without a diagonal inside a face: such a one would meet its like
+/// in the next cell.
 ISOSTAR_COLD bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
   const std::size_t n = polygon.size();
   if (n == 3) {
@@ -85,7 +93,8 @@ ISOSTAR_COLD CellCase cubesCase(unsigned signs) {
     const CellEdge first = segments.back().from;
     CellEdge at = first;
     do {
-      const auto next = std::find_if(segments.begin(), segments.end(), [&](const Segment& s) { return s.from == at; });
+      const auto next = std::find_if(segments.begin(), segments.end(),
+                                     [&](const Segment& s) { return s.from == at; });
       polygon.push_back(result.number(at));
       at = next->to;
       segments.erase(next);
@@ -95,14 +104,19 @@ ISOSTAR_COLD CellCase cubesCase(unsigned signs) {
   return result;
 }
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point minus(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 double volume(const Point& a, const Point& b, const Point& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 /// One triangle, turned so that the positive corner is behind it.
-ISOSTAR_COLD void addTriangle(CellCase& result, std::array<CellEdge, 3> edges, unsigned positiveCorner) {
-  const Point corner{double(positiveCorner & 1), double(positiveCorner >> 1 & 1), double(positiveCorner >> 2 & 1)};
+ISOSTAR_COLD void addTriangle(CellCase& result, std::array<CellEdge, 3> edges,
+                              unsigned positiveCorner) {
+  const Point corner{double(positiveCorner & 1), double(positiveCorner >> 1 & 1),
+                     double(positiveCorner >> 2 & 1)};
   const Point a = middle(edges[0]), b = middle(edges[1]), c = middle(edges[2]);
   if (volume(minus(b, a), minus(c, a), minus(corner, a)) > 0) std::swap(edges[1], edges[2]);
   result.add({result.number(edges[0]), result.number(edges[1]), result.number(edges[2])});
@@ -120,10 +134,17 @@ ISOSTAR_COLD CellCase tetrahedraCase(unsigned signs, unsigned parity) {
     if (above.size() == 1 || below.size() == 1) {
       const unsigned lone = above.size() == 1 ? above[0] : below[0];
       const auto& rest = above.size() == 1 ? below : above;
-      addTriangle(result, {between(lone, rest[0]), between(lone, rest[1]), between(lone, rest[2])}, above[0]);
+      addTriangle(result, {between(lone, rest[0]), between(lone, rest[1]), between(lone, rest[2])},
+                  above[0]);
     } else if (above.size() == 2) {
-      addTriangle(result, {between(above[0], below[0]), between(above[0], below[1]), between(above[1], below[1])}, above[0]);
-      addTriangle(result, {between(above[0], below[0]), between(above[1], below[1]), between(above[1], below[0])}, above[1]);
+      addTriangle(
+          result,
+          {between(above[0], below[0]), between(above[0], below[1]), between(above[1], below[1])},
+          above[0]);
+      addTriangle(
+          result,
+          {between(above[0], below[0]), between(above[1], below[1]), between(above[1], below[0])},
+          above[1]);
     }
   } while (std::next_permutation(axes.begin(), axes.end()));
   return result;
@@ -145,7 +166,8 @@ ISOSTAR_COLD const CellTable& cellTable(Polygonizer polygonizer, unsigned parity
   }
   static const std::array<CellTable, 8> kTetrahedra = [] {
     std::array<CellTable, 8> tables;
-    for (unsigned p = 0; p < 8; ++p) tables[p] = tabulate([p](unsigned signs) { return tetrahedraCase(signs, p); });
+    for (unsigned p = 0; p < 8; ++p)
+      tables[p] = tabulate([p](unsigned signs) { return tetrahedraCase(signs, p); });
     return tables;
   }();
   return kTetrahedra[parity];

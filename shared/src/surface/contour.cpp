@@ -13,10 +13,16 @@ struct EdgeIndex {
 
 class Tracing {
  public:
-  static constexpr uint64_t kBytesOfPosition = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+  static constexpr uint64_t kBytesOfPosition =
+      sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
 
   Tracing(const Surface<2>& surface, const MeshOptions& options, Contours& out)
-      : surface_(surface), signs_(surface.signs), options_(options), out_(out), active_(activeBricks(signs_)), slot_(active_.size()) {}
+      : surface_(surface),
+        signs_(surface.signs),
+        options_(options),
+        out_(out),
+        active_(activeBricks(signs_)),
+        slot_(active_.size()) {}
 
   Error run(const Limits& limits) {
     uint32_t bricks = 0;
@@ -48,9 +54,12 @@ class Tracing {
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX, kDone = kNone - 1;
-  static constexpr uint64_t kMostPoints = kDone - 3 * power(kBrickSide, 2);  // one more brick's can still be counted
-  /// Of placed_, next_ and begins_; where it comes to lie; the start of a polyline, while starts are moved.
-  static constexpr uint64_t kBytesOfPoint = 4 * sizeof(float) + sizeof(uint32_t) + 1 + 3 * sizeof(uint32_t);
+  static constexpr uint64_t kMostPoints =
+      kDone - 3 * power(kBrickSide, 2);  // one more brick's can still be counted
+  /// Of placed_, next_ and begins_; where it comes to lie; the start of a polyline, while starts
+  /// are moved.
+  static constexpr uint64_t kBytesOfPoint =
+      4 * sizeof(float) + sizeof(uint32_t) + 1 + 3 * sizeof(uint32_t);
 
   template <class Visit>
   void forActive(Visit visit) const {
@@ -70,7 +79,8 @@ class Tracing {
     const auto brick = signs_.table().brick(brickIndex);
     window_.load(signs_, brick);
     forEdges([&](unsigned axes, unsigned r) {
-      const uint32_t crossed = crossedEdges(window_, Window<2>::kOwnRows[r], r, axes) & edgesInside(signs_.lattice(), brick, r, axes);
+      const uint32_t crossed = crossedEdges(window_, Window<2>::kOwnRows[r], r, axes) &
+                               edgesInside(signs_.lattice(), brick, r, axes);
       index_[slot_[brickIndex]].crossed[axes][r] = crossed;
       index_[slot_[brickIndex]].first[axes][r] = points_;
       points_ += static_cast<uint32_t>(std::popcount(crossed));
@@ -82,7 +92,8 @@ class Tracing {
     scalars_.load(surface_.scalars, signs_.table(), brick);
     forEdges([&](unsigned axes, unsigned r) {
       uint32_t id = index_[slot_[brickIndex]].first[axes][r];
-      for (uint32_t open = index_[slot_[brickIndex]].crossed[axes][r]; open != 0; open &= open - 1) {
+      for (uint32_t open = index_[slot_[brickIndex]].crossed[axes][r]; open != 0;
+           open &= open - 1) {
         pointAt(EdgeEnds<2>(brick, r, static_cast<unsigned>(std::countr_zero(open)), axes), id++);
       }
     });
@@ -95,9 +106,11 @@ class Tracing {
     const auto& p = surface_.placement;
     for (int a = 0; a < 2; ++a) {
       const auto axis = static_cast<std::size_t>(a);
-      const double start = signs_.lattice().sample(a, ends.even[axis]), end = signs_.lattice().sample(a, ends.odd[axis]);
+      const double start = signs_.lattice().sample(a, ends.even[axis]),
+                   end = signs_.lattice().sample(a, ends.odd[axis]);
       const double sample = start + t * (end - start);
-      placed_[id * 2 + axis] = static_cast<float>(options_.frame == Frame::World ? p.origin[axis] + p.spacing[axis] * sample : sample);
+      placed_[id * 2 + axis] = static_cast<float>(
+          options_.frame == Frame::World ? p.origin[axis] + p.spacing[axis] * sample : sample);
     }
   }
 
@@ -105,12 +118,17 @@ class Tracing {
     const auto brick = signs_.table().brick(brickIndex);
     window_.load(signs_, brick);
     for (unsigned r = 0; r < kBrickSide; ++r) {
-      const uint32_t low = window_.rows[Window<2>::kOwnRows[r]], high = window_.rows[Window<2>::kOwnRows[r] + 1];
-      uint32_t open = ((low | low >> 1 | high | high >> 1) & ~(low & low >> 1 & high & high >> 1)) >> Window<2>::kHalo;
+      const uint32_t low = window_.rows[Window<2>::kOwnRows[r]],
+                     high = window_.rows[Window<2>::kOwnRows[r] + 1];
+      uint32_t open =
+          ((low | low >> 1 | high | high >> 1) & ~(low & low >> 1 & high & high >> 1)) >>
+          Window<2>::kHalo;
       for (open &= edgesInside(signs_.lattice(), brick, r, 3); open != 0; open &= open - 1) {
         const auto x = static_cast<unsigned>(std::countr_zero(open));
         const unsigned at = x + Window<2>::kHalo;
-        cutCell({brick[0] * kBrickSide + static_cast<int32_t>(x), brick[1] * kBrickSide + static_cast<int32_t>(r)}, (low >> at & 3) | (high >> at & 3) << 2);
+        cutCell({brick[0] * kBrickSide + static_cast<int32_t>(x),
+                 brick[1] * kBrickSide + static_cast<int32_t>(r)},
+                (low >> at & 3) | (high >> at & 3) << 2);
       }
     }
   }
@@ -118,14 +136,18 @@ class Tracing {
   /// Corners are numbered by bits: 1 on axis 0, 2 on axis 1.
   void cutCell(const Coordinates<2>& cell, unsigned signs) {
     if (options_.polygonizer == Polygonizer::Cubes) return cutRing<4>(cell, signs, {0, 1, 3, 2});
-    // From the corner with even coordinates to the opposite one, one axis after the other (see Simplex).
-    const unsigned even = (static_cast<unsigned>(cell[0]) & 1) | (static_cast<unsigned>(cell[1]) & 1) << 1, odd = even ^ 3;
+    // From the corner with even coordinates to the opposite one, one axis after the other (see
+    // Simplex).
+    const unsigned even = (static_cast<unsigned>(cell[0]) & 1) |
+                          (static_cast<unsigned>(cell[1]) & 1) << 1,
+                   odd = even ^ 3;
     const bool turned = std::popcount(even) == 1;
     cutRing<3>(cell, signs, {even, even ^ (turned ? 2u : 1u), odd});
     cutRing<3>(cell, signs, {even, odd, even ^ (turned ? 1u : 2u)});
   }
 
-  /// Each positive run of corners, which turn counter-clockwise, is cut off by a segment of its own.
+  /// Each positive run of corners, which turn counter-clockwise, is cut off by a segment of its
+  /// own.
   template <std::size_t N>
   void cutRing(const Coordinates<2>& cell, unsigned signs, const std::array<unsigned, N>& corners) {
     auto positive = [&](std::size_t i) { return (signs >> corners[i % N] & 1) != 0; };
@@ -133,7 +155,8 @@ class Tracing {
       if (positive(i) || !positive(i + 1)) continue;
       std::size_t j = i + 1;
       while (positive(j + 1)) ++j;
-      const uint32_t from = point(cell, corners[j % N], corners[(j + 1) % N]), to = point(cell, corners[i], corners[(i + 1) % N]);
+      const uint32_t from = point(cell, corners[j % N], corners[(j + 1) % N]),
+                     to = point(cell, corners[i], corners[(i + 1) % N]);
       next_[from] = to;
       begins_[to] = false;
     }
@@ -142,10 +165,12 @@ class Tracing {
   /// The number of the crossing between two corners of a cell.
   [[nodiscard]] uint32_t point(const Coordinates<2>& cell, unsigned a, unsigned b) const {
     const unsigned corner = a & b, axes = a ^ b;
-    const int32_t x = cell[0] + static_cast<int32_t>(corner & 1), y = cell[1] + static_cast<int32_t>(corner >> 1);
+    const int32_t x = cell[0] + static_cast<int32_t>(corner & 1),
+                  y = cell[1] + static_cast<int32_t>(corner >> 1);
     const EdgeIndex& index = index_[slot_[signs_.table().index({x / kBrickSide, y / kBrickSide})]];
     const auto row = static_cast<std::size_t>(y % kBrickSide);
-    return index.first[axes][row] + static_cast<uint32_t>(std::popcount(index.crossed[axes][row] & ((1u << x % kBrickSide) - 1)));
+    return index.first[axes][row] + static_cast<uint32_t>(std::popcount(
+                                        index.crossed[axes][row] & ((1u << x % kBrickSide) - 1)));
   }
 
   /// The polyline from a point on, unless it has been followed.
@@ -165,21 +190,23 @@ class Tracing {
   MeshOptions options_;
   Contours& out_;
   std::vector<uint8_t> active_;
-  std::vector<uint32_t> slot_;    // in index_, by place of an active brick
+  std::vector<uint32_t> slot_;  // in index_, by place of an active brick
   std::vector<EdgeIndex> index_;
   Window<2> window_;
   ScalarWindow<2> scalars_;
   uint32_t points_ = 0;
-  std::vector<float> placed_;    // x, y of each point
-  std::vector<uint32_t> next_;   // the point that follows
-  std::vector<bool> begins_;     // does no point lead to it?
+  std::vector<float> placed_;   // x, y of each point
+  std::vector<uint32_t> next_;  // the point that follows
+  std::vector<bool> begins_;    // does no point lead to it?
 };
 
 }  // namespace
 
-Error polygonize(const Surface<2>& surface, const MeshOptions& options, const Limits& limits, Contours& out) {
+Error polygonize(const Surface<2>& surface, const MeshOptions& options, const Limits& limits,
+                 Contours& out) {
   out = {};
-  if (Tracing::kBytesOfPosition * surface.signs.table().total() > limits.memory) return Error::OverLimit;
+  if (Tracing::kBytesOfPosition * surface.signs.table().total() > limits.memory)
+    return Error::OverLimit;
   return Tracing(surface, options, out).run(limits);
 }
 

@@ -12,7 +12,8 @@ namespace isostar {
 /// A bit for each vertex of a brick: bit x + 8 y of word z.
 using BrickWords = decltype(VertexSet<3>::words);
 
-/// The signs of a brick's vertices, and of those one step further on each set of axes. Beyond the lattice they mean nothing.
+/// The signs of a brick's vertices, and of those one step further on each set of axes. Beyond the
+/// lattice they mean nothing.
 class CornerSigns {
  public:
   /// Not copied to each place that calls it: a page's decoder is to be small.
@@ -21,17 +22,22 @@ class CornerSigns {
     const auto brick = table.brick(brickIndex);
     for (unsigned c = 0; c < 8; ++c) {
       std::size_t other = brickIndex;
-      for (int a = 0; a < 3; ++a) other += (c >> a & 1) != 0 && brick[a] + 1 < table.count(a) ? table.stride(a) : 0;
+      for (int a = 0; a < 3; ++a)
+        other += (c >> a & 1) != 0 && brick[a] + 1 < table.count(a) ? table.stride(a) : 0;
       words_[c] = wordsOf(signs.brickAt(other));
     }
     // So far they are the signs of bricks further on: axis by axis they become those of vertices.
-    for (unsigned c = 0; c < 8; ++c) if ((c & 4) != 0) words_[c] = steppedOnZ(words_[c ^ 4], words_[c]);
-    for (unsigned c = 0; c < 8; ++c) if ((c & 2) != 0) words_[c] = steppedOnY(words_[c ^ 2], words_[c]);
-    for (unsigned c = 0; c < 8; ++c) if ((c & 1) != 0) words_[c] = steppedOnX(words_[c ^ 1], words_[c]);
+    for (unsigned c = 0; c < 8; ++c)
+      if ((c & 4) != 0) words_[c] = steppedOnZ(words_[c ^ 4], words_[c]);
+    for (unsigned c = 0; c < 8; ++c)
+      if ((c & 2) != 0) words_[c] = steppedOnY(words_[c ^ 2], words_[c]);
+    for (unsigned c = 0; c < 8; ++c)
+      if ((c & 1) != 0) words_[c] = steppedOnX(words_[c ^ 1], words_[c]);
   }
 
-  /// The edges along a set of axes that are crossed, by their least vertices in plane z. An edge along several axes is the diagonal
-  /// of a face or cell that the RBMT has (§4.3): it joins the vertex that is even on these axes with the one that is odd on them.
+  /// The edges along a set of axes that are crossed, by their least vertices in plane z. An edge
+  /// along several axes is the diagonal of a face or cell that the RBMT has (§4.3): it joins the
+  /// vertex that is even on these axes with the one that is odd on them.
   [[nodiscard]] uint64_t crossedEdges(unsigned axes, unsigned z) const {
     if (std::has_single_bit(axes)) return words_[0][z] ^ words_[axes][z];
     uint64_t crossed = 0;
@@ -67,7 +73,8 @@ class CornerSigns {
   static BrickWords steppedOnX(const BrickWords& here, const BrickWords& next) {
     constexpr uint64_t kFirst = 0x0101010101010101;
     BrickWords words;
-    for (unsigned z = 0; z < 8; ++z) words[z] = (here[z] >> 1 & ~(kFirst << 7)) | (next[z] & kFirst) << 7;
+    for (unsigned z = 0; z < 8; ++z)
+      words[z] = (here[z] >> 1 & ~(kFirst << 7)) | (next[z] & kFirst) << 7;
     return words;
   }
   static BrickWords steppedOnY(const BrickWords& here, const BrickWords& next) {
@@ -82,7 +89,8 @@ class CornerSigns {
   }
   /// The vertices of plane z that are odd on the axes `odd` and even on the others of `axes`.
   static uint64_t oddOn(unsigned odd, unsigned axes, unsigned z) {
-    const std::array<uint64_t, 3> odds{0xAAAAAAAAAAAAAAAA, 0xFF00FF00FF00FF00, (z & 1) != 0 ? ~uint64_t{0} : 0};
+    const std::array<uint64_t, 3> odds{0xAAAAAAAAAAAAAAAA, 0xFF00FF00FF00FF00,
+                                       (z & 1) != 0 ? ~uint64_t{0} : 0};
     uint64_t both = ~uint64_t{0};
     for (unsigned a = 0; a < 3; ++a) {
       if ((axes >> a & 1) != 0) both &= (odd >> a & 1) != 0 ? odds[a] : ~odds[a];

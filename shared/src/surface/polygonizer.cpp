@@ -2,14 +2,14 @@
 
 #include <bit>
 #include <cmath>
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 
+#include "scalars/crossings.h"
 #include "surface/cell_cut.h"
 #include "surface/corner_signs.h"
-#include "scalars/crossings.h"
 #include "surface/trim.h"
 
 namespace isostar {
@@ -25,7 +25,8 @@ struct EdgeIndex {
   };
   std::array<Plane, kPlanes> planes;
 
-  EdgeIndex() {}  // leaves them as they are: filling them with zeros first would take longer than counting
+  EdgeIndex() {
+  }  // leaves them as they are: filling them with zeros first would take longer than counting
 
   [[nodiscard]] uint32_t vertex(unsigned plane, unsigned at) const {
     const auto& [crossed, first] = planes[plane];
@@ -36,18 +37,25 @@ struct EdgeIndex {
 /// World positions of the lattice's vertices; directions of normals.
 class Frames {
  public:
-  Frames(const Lattice<3>& lattice, const Placement& p, Frame frame) : lattice_(lattice), world_(frame == Frame::World) {
+  Frames(const Lattice<3>& lattice, const Placement& p, Frame frame)
+      : lattice_(lattice), world_(frame == Frame::World) {
     for (int a = 0; a < 3; ++a) {
       origin_[a] = p.origin[a];
-      for (int b = 0; b < 3; ++b) matrix_[b][a] = p.direction[static_cast<std::size_t>(a * 3 + b)] * p.spacing[static_cast<std::size_t>(b)];
+      for (int b = 0; b < 3; ++b)
+        matrix_[b][a] = p.direction[static_cast<std::size_t>(a * 3 + b)] *
+                        p.spacing[static_cast<std::size_t>(b)];
     }
     if (world_) gradient_ = glm::transpose(glm::inverse(matrix_));
   }
   [[nodiscard]] glm::dvec3 sample(const Coordinates<3>& v) const {
     return {lattice_.sample(0, v[0]), lattice_.sample(1, v[1]), lattice_.sample(2, v[2])};
   }
-  [[nodiscard]] glm::dvec3 index(const glm::dvec3& sample) const { return world_ ? origin_ + matrix_ * sample : sample; }
-  [[nodiscard]] glm::dvec3 normal(const glm::dvec3& gradient) const { return world_ ? gradient_ * gradient : gradient; }
+  [[nodiscard]] glm::dvec3 index(const glm::dvec3& sample) const {
+    return world_ ? origin_ + matrix_ * sample : sample;
+  }
+  [[nodiscard]] glm::dvec3 normal(const glm::dvec3& gradient) const {
+    return world_ ? gradient_ * gradient : gradient;
+  }
   [[nodiscard]] bool mirrors() const { return world_ && glm::determinant(matrix_) < 0; }
 
  private:
@@ -59,16 +67,27 @@ class Frames {
 
 class Polygonization {
  public:
-  static constexpr uint64_t kBytesOfPosition = sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+  static constexpr uint64_t kBytesOfPosition =
+      sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
 
   /// `depth`: of each vertex inside the surface's domain, if that is not the box.
-  Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out, std::vector<float>& depth)
-      : surface_(surface), signs_(surface.signs), lattice_(signs_.lattice()), options_(options), frames_(lattice_, surface.placement, options.frame),
-        limits_(limits), out_(out), depth_(depth), active_(activeBricks(signs_)), slot_(active_.size(), kNone) {
+  Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
+                 Mesh& out, std::vector<float>& depth)
+      : surface_(surface),
+        signs_(surface.signs),
+        lattice_(signs_.lattice()),
+        options_(options),
+        frames_(lattice_, surface.placement, options.frame),
+        limits_(limits),
+        out_(out),
+        depth_(depth),
+        active_(activeBricks(signs_)),
+        slot_(active_.size(), kNone) {
     const bool mirrors = frames_.mirrors();
     cuts_.reserve(parities() * 256);
     for (unsigned parity = 0; parity < parities(); ++parity) {
-      for (const CellCase& shape : cellTable(options.polygonizer, parity)) cuts_.emplace_back(shape, mirrors);
+      for (const CellCase& shape : cellTable(options.polygonizer, parity))
+        cuts_.emplace_back(shape, mirrors);
     }
   }
 
@@ -97,26 +116,38 @@ class Polygonization {
       findVerticesAhead(brickIndex);
       if (!cutCells(brickIndex)) return Error::OverLimit;
     }
-    out_.triangles.resize(corners_);
+    out_.indices.resize(corners_);
     return Error::None;
   }
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
-  static constexpr uint64_t kMostVertices = UINT32_MAX - 7 * power(kBrickSide, 3);  // one more brick's can still be counted
-  static constexpr std::size_t kMostOfPlane = kBrickSide * kBrickSide * CellCase::kMostTriangles * 3;
+  static constexpr uint64_t kMostVertices =
+      UINT32_MAX - 7 * power(kBrickSide, 3);  // one more brick's can still be counted
+  static constexpr std::size_t kMostOfPlane =
+      kBrickSide * kBrickSide * CellCase::kMostTriangles * 3;
 
-  [[nodiscard]] unsigned lastAxes() const { return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u; }
-  [[nodiscard]] bool uses(unsigned axes) const { return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes); }
+  [[nodiscard]] unsigned lastAxes() const {
+    return options_.polygonizer == Polygonizer::Cubes ? 4u : 7u;
+  }
+  [[nodiscard]] bool uses(unsigned axes) const {
+    return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes);
+  }
   /// How many sets of axes edges run along.
-  [[nodiscard]] std::size_t sets() const { return options_.polygonizer == Polygonizer::Cubes ? 3 : 7; }
+  [[nodiscard]] std::size_t sets() const {
+    return options_.polygonizer == Polygonizer::Cubes ? 3 : 7;
+  }
   /// How many tables of cells, by their parity.
-  [[nodiscard]] std::size_t parities() const { return options_.polygonizer == Polygonizer::Cubes ? 1 : 8; }
+  [[nodiscard]] std::size_t parities() const {
+    return options_.polygonizer == Polygonizer::Cubes ? 1 : 8;
+  }
   [[nodiscard]] static std::array<uint8_t, 8> numbersOfSets(Polygonizer polygonizer) {
     if (polygonizer == Polygonizer::Cubes) return {0, 0, 1, 0, 2, 0, 0, 0};
     return {0, 0, 1, 2, 3, 4, 5, 6};
   }
-  [[nodiscard]] EdgeIndex* indexOf(std::size_t brickIndex) { return &index_[slot_[brickIndex] * sets()]; }
+  [[nodiscard]] EdgeIndex* indexOf(std::size_t brickIndex) {
+    return &index_[slot_[brickIndex] * sets()];
+  }
 
   void countEdges(std::size_t brickIndex) {
     const auto brick = signs_.table().brick(brickIndex);
@@ -138,9 +169,12 @@ class Polygonization {
   /// |scalar - isovalue| in half quanta at a vertex of the window.
   [[nodiscard]] double size(int at) const {
     const int32_t value = scalars_.value[at];
-    return std::abs(double(value)) + offsets_[value < 0 ? 1 : 0];  // no branch, which nobody could predict
+    return std::abs(double(value)) +
+           offsets_[value < 0 ? 1 : 0];  // no branch, which nobody could predict
   }
-  [[nodiscard]] double scalar(int at) const { return scalars_.value[at] >= 0 ? size(at) : -size(at); }
+  [[nodiscard]] double scalar(int at) const {
+    return scalars_.value[at] >= 0 ? size(at) : -size(at);
+  }
   [[nodiscard]] bool known(int at) const { return scalars_.value[at] != Scalars<3>::kUnknown; }
 
   void placeVertices(std::size_t brickIndex) {
@@ -161,13 +195,15 @@ class Polygonization {
     }
   }
 
-  /// Makes vertices a plane at a time, not all of them before the first one is placed: so they are in the cache then.
+  /// Makes vertices a plane at a time, not all of them before the first one is placed: so they are
+  /// in the cache then.
   void grow(std::size_t vertices) {
     out_.positions.resize(vertices * 3);
     if (options_.normals) out_.normals.resize(vertices * 3);
   }
 
-  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned z, unsigned at, uint32_t id) {
+  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned z, unsigned at,
+                   uint32_t id) {
     const EdgeEnds<3> ends(brick, z * kBrickSide + at / kBrickSide, at % kBrickSide, axes);
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
@@ -177,27 +213,35 @@ class Polygonization {
     if (!options_.normals) return;
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
-      if (axes == 1u << a) gradient[a] = (scalar(ends.oddAt) - scalar(ends.evenAt)) * (ends.odd[a] - ends.even[a]);
-      else gradient[a] = across(ends, t, a);
+      if (axes == 1u << a)
+        gradient[a] = (scalar(ends.oddAt) - scalar(ends.evenAt)) * (ends.odd[a] - ends.even[a]);
+      else
+        gradient[a] = across(ends, t, a);
     }
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
     write(out_.normals, id, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
   }
 
-  /// How deep a vertex on an edge lies in the domain. The ends of diagonals have not been told of a stream for `cubes`: another
-  /// corner of the cell stands in for them, so that only cells are cut which the domain's boundary crosses.
+  /// How deep a vertex on an edge lies in the domain. The ends of diagonals have not been told of a
+  /// stream for `cubes`: another corner of the cell stands in for them, so that only cells are cut
+  /// which the domain's boundary crosses.
   [[nodiscard]] double depthOf(const EdgeEnds<3>& ends, double t) const {
     const auto& depth = domain_.value;
     const auto codedAt = [&](int at, int otherEnd) {
-      const int beside = ends.evenAt + ends.odd[0] - ends.even[0];  // if neither is told, all other corners are
-      return depth[at] != Scalars<3>::kUnknown ? at : depth[otherEnd] != Scalars<3>::kUnknown ? otherEnd : beside;
+      const int beside =
+          ends.evenAt + ends.odd[0] - ends.even[0];  // if neither is told, all other corners are
+      return depth[at] != Scalars<3>::kUnknown         ? at
+             : depth[otherEnd] != Scalars<3>::kUnknown ? otherEnd
+                                                       : beside;
     };
-    const double even = depth[codedAt(ends.evenAt, ends.oddAt)], odd = depth[codedAt(ends.oddAt, ends.evenAt)];
+    const double even = depth[codedAt(ends.evenAt, ends.oddAt)],
+                 odd = depth[codedAt(ends.oddAt, ends.evenAt)];
     return even + t * (odd - even);
   }
 
-  /// The field's difference along an axis across an edge, from the neighbours of its ends whose scalars are known.
+  /// The field's difference along an axis across an edge, from the neighbours of its ends whose
+  /// scalars are known.
   [[nodiscard]] double across(const EdgeEnds<3>& ends, double t, int axis) const {
     const int step = ScalarWindow<3>::stride(axis);
     double sum = 0, weight = 0;
@@ -221,11 +265,14 @@ class Polygonization {
     at[2] = static_cast<float>(v.z);
   }
 
-  /// Room for so many corners of triangles; false where the limit has none. Not by resize() alone, which may double it.
+  /// Room for so many corners of triangles; false where the limit has none. Not by resize() alone,
+  /// which may double it.
   bool makeRoom(std::size_t corners) {
-    const std::size_t before = out_.triangles.capacity();
-    if (corners > before && held_ + (uint64_t{before} + corners) * sizeof(uint32_t) > limits_.memory) return false;
-    out_.triangles.reserve(corners);
+    const std::size_t before = out_.indices.capacity();
+    if (corners > before &&
+        held_ + (uint64_t{before} + corners) * sizeof(uint32_t) > limits_.memory)
+      return false;
+    out_.indices.reserve(corners);
     return true;
   }
 
@@ -242,15 +289,18 @@ class Polygonization {
         other += signs_.table().stride(a);
       }
       if (!inside || slot_[other] == kNone) continue;
-      const uint64_t facing = ((ahead & 1) != 0 ? kFirstColumn : ~uint64_t{0}) & ((ahead & 2) != 0 ? kFirstRow : ~uint64_t{0});
-      const unsigned x = (ahead & 1) * kBrickSide, y = (ahead >> 1 & 1) * kBrickSide, firstZ = (ahead >> 2) * kBrickSide;
+      const uint64_t facing = ((ahead & 1) != 0 ? kFirstColumn : ~uint64_t{0}) &
+                              ((ahead & 2) != 0 ? kFirstRow : ~uint64_t{0});
+      const unsigned x = (ahead & 1) * kBrickSide, y = (ahead >> 1 & 1) * kBrickSide,
+                     firstZ = (ahead >> 2) * kBrickSide;
       for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
         if (!uses(axes) || (axes & ahead) != 0) continue;
         const EdgeIndex& index = indexOf(other)[number_[axes]];
         for (unsigned z = 0; z < ((ahead & 4) != 0 ? 1 : kPlanes); ++z) {
           for (uint64_t open = index.planes[z].crossed & facing; open != 0; open &= open - 1) {
             const auto at = static_cast<unsigned>(std::countr_zero(open));
-            ids_[EdgePositions::at(axes, x + at % kBrickSide, y + at / kBrickSide, firstZ + z)] = index.vertex(z, at);
+            ids_[EdgePositions::at(axes, x + at % kBrickSide, y + at / kBrickSide, firstZ + z)] =
+                index.vertex(z, at);
           }
         }
       }
@@ -265,8 +315,10 @@ class Polygonization {
     for (unsigned z = 0; z < kPlanes; ++z) {
       uint64_t open = corners.crossedCells(z) & inside[z];
       if (open == 0) continue;
-      if (out_.triangles.capacity() - corners_ < kMostOfPlane && !makeRoom(corners_ + corners_ / 8 + kMostOfPlane)) return false;
-      out_.triangles.resize(corners_ + kMostOfPlane);
+      if (out_.indices.capacity() - corners_ < kMostOfPlane &&
+          !makeRoom(corners_ + corners_ / 8 + kMostOfPlane))
+        return false;
+      out_.indices.resize(corners_ + kMostOfPlane);
       for (; open != 0; open &= open - 1) {
         const auto at = static_cast<unsigned>(std::countr_zero(open));
         cutCell(corners.around(z, at), at % kBrickSide, at / kBrickSide, z);
@@ -281,7 +333,7 @@ class Polygonization {
     const std::size_t parity = ((x & 1) | (y & 1) << 1 | (z & 1) << 2) & (parities() - 1);
     const CellCut& cut = cuts_[parity * 256 + signs];
     const uint32_t* ids = &ids_[EdgePositions::at(1, x, y, z)];
-    uint32_t* next = out_.triangles.data() + corners_;
+    uint32_t* next = out_.indices.data() + corners_;
     for (std::size_t i = 0; i < kAlways; ++i) next[i] = ids[cut.edges[i]];
     for (std::size_t i = kAlways; i < cut.corners; ++i) next[i] = ids[cut.edges[i]];
     corners_ += cut.corners;
@@ -302,7 +354,7 @@ class Polygonization {
   std::vector<uint32_t> slot_;
   std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);  // of a set of axes
   std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the brick in work
-  std::vector<EdgeIndex> index_;                                          // by brick, then by set of axes
+  std::vector<EdgeIndex> index_;                       // by brick, then by set of axes
   uint64_t vertices_ = 0;
   std::size_t corners_ = 0;  // of triangles, so far
   ScalarWindow<3> scalars_, domain_;
@@ -310,9 +362,11 @@ class Polygonization {
 
 }  // namespace
 
-Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits, Mesh& out) {
+Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
+                 Mesh& out) {
   out = {};
-  if (Polygonization::kBytesOfPosition * surface.signs.table().total() > limits.memory) return Error::OverLimit;
+  if (Polygonization::kBytesOfPosition * surface.signs.table().total() > limits.memory)
+    return Error::OverLimit;
   std::vector<float> depth;
   Error error = Polygonization(surface, options, limits, out, depth).run();
   if (error == Error::None && surface.domain != nullptr) error = trim(depth, limits, out);

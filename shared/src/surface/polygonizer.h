@@ -6,7 +6,8 @@
 
 namespace isostar {
 
-/// OverLimit, and no mesh, where it would have more vertices than allowed, or where it takes more memory to make it.
+/// OverLimit, and no mesh, where it would have more vertices than allowed, or where it takes more
+/// memory to make it.
 [[nodiscard]] Error polygonize(const Surface<3>&, const MeshOptions&, const Limits&, Mesh& out);
 
 }  // namespace isostar

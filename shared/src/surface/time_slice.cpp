@@ -6,21 +6,28 @@
 namespace isostar {
 namespace {
 
-/// A plane across time of a surface in four dimensions: bricks of three lie in those of four one behind the other.
+/// A plane across time of a surface in four dimensions: bricks of three lie in those of four one
+/// behind the other.
 class Plane {
  public:
   Plane(const Surface<4>& surface, int32_t plane)
-      : surface_(surface), first_(static_cast<std::size_t>(plane / kBrickSide) * surface.signs.table().stride(3)),
+      : surface_(surface),
+        first_(static_cast<std::size_t>(plane / kBrickSide) * surface.signs.table().stride(3)),
         local_(static_cast<std::size_t>(plane % kBrickSide)) {}
 
   [[nodiscard]] Brick<3> signs(std::size_t brickIndex) const {
     const auto& rows = surface_.signs.brickAt(first_ + brickIndex).rows;
     Brick<3> brick;
-    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(local_ * brick.rows.size()), brick.rows.size(), brick.rows.begin());
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(local_ * brick.rows.size()),
+                brick.rows.size(), brick.rows.begin());
     return brick;
   }
-  [[nodiscard]] bool has(std::size_t brickIndex) const { return surface_.scalars.has(first_ + brickIndex); }
-  [[nodiscard]] int gradient(std::size_t brickIndex) const { return surface_.scalars.gradient(first_ + brickIndex); }
+  [[nodiscard]] bool has(std::size_t brickIndex) const {
+    return surface_.scalars.has(first_ + brickIndex);
+  }
+  [[nodiscard]] int gradient(std::size_t brickIndex) const {
+    return surface_.scalars.gradient(first_ + brickIndex);
+  }
   /// As Scalars keep them.
   [[nodiscard]] const int32_t* values(std::size_t brickIndex) const {
     return surface_.scalars.at(first_ + brickIndex).value.data() + local_ * Scalars<3>::kVertices;
@@ -36,7 +43,8 @@ void copyPlane(const Plane& plane, TimeSlice& slice) {
     slice.signs.put(brickIndex, plane.signs(brickIndex));
     if (!plane.has(brickIndex)) continue;
     slice.scalars.setGradient(brickIndex, plane.gradient(brickIndex));
-    std::copy_n(plane.values(brickIndex), Scalars<3>::kVertices, slice.scalars.writable(brickIndex).value.begin());
+    std::copy_n(plane.values(brickIndex), Scalars<3>::kVertices,
+                slice.scalars.writable(brickIndex).value.begin());
   }
 }
 
@@ -50,7 +58,8 @@ class Blend {
     const std::size_t brickIndices = slice.signs.table().total();
     double largest = 1;
     for (std::size_t brickIndex = 0; brickIndex < brickIndices; ++brickIndex) {
-      forKnown(brickIndex, [&](std::size_t, double scalar) { largest = std::max(largest, std::abs(scalar)); });
+      forKnown(brickIndex,
+               [&](std::size_t, double scalar) { largest = std::max(largest, std::abs(scalar)); });
     }
     const int finer = std::clamp(29 - std::ilogb(largest), 0, 12);
     for (std::size_t brickIndex = 0; brickIndex < brickIndices; ++brickIndex) {
@@ -59,7 +68,8 @@ class Blend {
       if (before_.has(brickIndex) || after_.has(brickIndex)) {
         auto& values = slice.scalars.writable(brickIndex).value;
         forKnown(brickIndex, [&](std::size_t v, double scalar) {
-          const auto size = static_cast<int32_t>(std::max(1L, std::lround(std::ldexp(std::abs(scalar), finer))));
+          const auto size =
+              static_cast<int32_t>(std::max(1L, std::lround(std::ldexp(std::abs(scalar), finer))));
           values[v] = scalar > 0 ? size : -size;
           const auto bit = static_cast<uint8_t>(1u << v % kBrickSide);
           auto& row = signs.rows[v / kBrickSide];
@@ -71,7 +81,8 @@ class Blend {
   }
 
  private:
-  /// Calls visit(vertex, scalar) where a scalar is known; in half quanta, and never zero on the wrong side.
+  /// Calls visit(vertex, scalar) where a scalar is known; in half quanta, and never zero on the
+  /// wrong side.
   template <class Visit>
   void forKnown(std::size_t brickIndex, Visit visit) const {
     if (!before_.has(brickIndex) && !after_.has(brickIndex)) return;
@@ -79,11 +90,15 @@ class Blend {
     const int32_t* b = after_.values(brickIndex);
     for (std::size_t v = 0; v < Scalars<3>::kVertices; ++v) {
       const bool first = a[v] != Scalars<3>::kUnknown, second = b[v] != Scalars<3>::kUnknown;
-      if (first && second) visit(v, (1 - share_) * scalar(a[v]) + share_ * scalar(b[v]));
-      else if (first || second) visit(v, scalar(first ? a[v] : b[v]));
+      if (first && second)
+        visit(v, (1 - share_) * scalar(a[v]) + share_ * scalar(b[v]));
+      else if (first || second)
+        visit(v, scalar(first ? a[v] : b[v]));
     }
   }
-  [[nodiscard]] double scalar(int32_t value) const { return value >= 0 ? surface_.size(value) : -surface_.size(value); }
+  [[nodiscard]] double scalar(int32_t value) const {
+    return value >= 0 ? surface_.size(value) : -surface_.size(value);
+  }
 
   const Surface<4>& surface_;
   const Plane& before_;
@@ -96,23 +111,28 @@ class Blend {
 TimeSlice sliceAt(const Surface<4>& surface, double time) {
   const auto& lattice = surface.signs.lattice();
   TimeSlice slice;
-  slice.signs = Signs<3>(Lattice<3>({lattice.box[0], lattice.box[1], lattice.box[2]}, lattice.step));
+  slice.signs =
+      Signs<3>(Lattice<3>({lattice.box[0], lattice.box[1], lattice.box[2]}, lattice.step));
   slice.scalars = Scalars<3>(slice.signs.table().total());
-  const int32_t plane = std::clamp(static_cast<int32_t>(time) / lattice.step, 0, std::max(0, lattice.last[3] - 1));
+  const int32_t plane =
+      std::clamp(static_cast<int32_t>(time) / lattice.step, 0, std::max(0, lattice.last[3] - 1));
   const double start = lattice.sample(3, plane), end = lattice.sample(3, plane + 1);
   if (time <= start || time >= end) {
     copyPlane(Plane(surface, time <= start ? plane : plane + 1), slice);
     slice.positiveOffset = surface.positiveOffset;
     slice.negativeOffset = surface.negativeOffset;
   } else {
-    Blend(surface, Plane(surface, plane), Plane(surface, plane + 1), (time - start) / (end - start)).into(slice);
+    Blend(surface, Plane(surface, plane), Plane(surface, plane + 1), (time - start) / (end - start))
+        .into(slice);
   }
   return slice;
 }
 
 uint64_t memoryToSlice(const Surface<4>& surface) {
-  const uint64_t brickIndices = surface.signs.table().stride(3), known = surface.scalars.brickCount();
-  return Signs<3>::memoryToFill(brickIndices, surface.signs.brickCount() + known) + Scalars<3>::memoryOf(brickIndices, std::min(brickIndices, known));
+  const uint64_t brickIndices = surface.signs.table().stride(3),
+                 known = surface.scalars.brickCount();
+  return Signs<3>::memoryToFill(brickIndices, surface.signs.brickCount() + known) +
+         Scalars<3>::memoryOf(brickIndices, std::min(brickIndices, known));
 }
 
 }  // namespace isostar

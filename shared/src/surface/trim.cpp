@@ -11,25 +11,32 @@ namespace {
 
 class Trimming {
  public:
-  Trimming(const std::vector<float>& values, const Limits& limits, Mesh& mesh) : values_(values), limits_(limits), mesh_(mesh) {}
+  Trimming(const std::vector<float>& values, const Limits& limits, Mesh& mesh)
+      : values_(values), limits_(limits), mesh_(mesh) {}
 
   ISOSTAR_COLD Error run() {
     std::size_t whole = 0, cut = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); t += 3) {
-      const int kept = keeps(mesh_.triangles[t]) + keeps(mesh_.triangles[t + 1]) + keeps(mesh_.triangles[t + 2]);
+    for (std::size_t t = 0; t < mesh_.indices.size(); t += 3) {
+      const int kept =
+          keeps(mesh_.indices[t]) + keeps(mesh_.indices[t + 1]) + keeps(mesh_.indices[t + 2]);
       whole += kept == 3 ? 1 : 0;
       cut += kept == 1 || kept == 2 ? 1 : 0;
     }
-    if (3 * whole == mesh_.triangles.size()) return Error::None;
-    // All that lives at the same time, at its largest: a mesh and its successor, numbers of vertices, edges.
-    const uint64_t vertices = values_.size(), perVertex = (mesh_.normals.empty() ? 3 : 6) * sizeof(float);
-    const uint64_t before = vertices * (perVertex + sizeof(float) + 2 * sizeof(uint32_t)) + mesh_.triangles.capacity() * sizeof(uint32_t);
-    const uint64_t made = (vertices + 2 * cut) * perVertex + (whole + 2 * cut) * 3 * sizeof(uint32_t) + 2 * cut * sizeof(Edge);
+    if (3 * whole == mesh_.indices.size()) return Error::None;
+    // All that lives at the same time, at its largest: a mesh and its successor, numbers of
+    // vertices, edges.
+    const uint64_t vertices = values_.size(),
+                   perVertex = (mesh_.normals.empty() ? 3 : 6) * sizeof(float);
+    const uint64_t before = vertices * (perVertex + sizeof(float) + 2 * sizeof(uint32_t)) +
+                            mesh_.indices.capacity() * sizeof(uint32_t);
+    const uint64_t made = (vertices + 2 * cut) * perVertex +
+                          (whole + 2 * cut) * 3 * sizeof(uint32_t) + 2 * cut * sizeof(Edge);
     if (before + made > limits_.memory) return Error::OverLimit;
     number();
     edges_.reserve(2 * cut);
     cutTriangles(whole + 2 * cut);
-    if (kept_ + edges_.size() > std::min<uint64_t>(limits_.vertices, UINT32_MAX)) return Error::OverLimit;
+    if (kept_ + edges_.size() > std::min<uint64_t>(limits_.vertices, UINT32_MAX))
+      return Error::OverLimit;
     moveVertices(mesh_.positions, false);
     if (!mesh_.normals.empty()) moveVertices(mesh_.normals, true);
     return Error::None;
@@ -38,7 +45,8 @@ class Trimming {
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
 
-  /// That is cut, from a vertex kept to one that is not; and the one before it from the same vertex.
+  /// That is cut, from a vertex kept to one that is not; and the one before it from the same
+  /// vertex.
   struct Edge {
     uint32_t kept, other, before;
   };
@@ -69,11 +77,11 @@ class Trimming {
   ISOSTAR_COLD void cutTriangles(std::size_t most) {
     std::vector<uint32_t> to(3 * most);
     std::size_t count = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); t += 3) {
+    for (std::size_t t = 0; t < mesh_.indices.size(); t += 3) {
       std::array<uint32_t, 4> polygon{};
       std::size_t corners = 0;
       for (std::size_t i = 0; i < 3; ++i) {
-        const uint32_t a = mesh_.triangles[t + i], b = mesh_.triangles[i == 2 ? t : t + i + 1];
+        const uint32_t a = mesh_.indices[t + i], b = mesh_.indices[i == 2 ? t : t + i + 1];
         if (keeps(a)) polygon[corners++] = numbers_[a];
         if (keeps(a) != keeps(b)) polygon[corners++] = onEdge(a, b);
       }
@@ -84,7 +92,7 @@ class Trimming {
       }
     }
     to.resize(count);
-    mesh_.triangles.swap(to);
+    mesh_.indices.swap(to);
   }
 
   /// Positions, or unit normals, of the vertices kept, then of those on edges.
@@ -96,7 +104,8 @@ class Trimming {
       for (std::size_t i = 0; i < 3; ++i) *to++ = values[std::size_t{v} * 3 + i];
     }
     for (const Edge& edge : edges_) {
-      const float *a = &values[std::size_t{edge.kept} * 3], *b = &values[std::size_t{edge.other} * 3];
+      const float *a = &values[std::size_t{edge.kept} * 3],
+                  *b = &values[std::size_t{edge.other} * 3];
       const double t = values_[edge.kept] / (double{values_[edge.kept]} - values_[edge.other]);
       std::array<double, 3> p;
       double squares = 0;
@@ -105,7 +114,8 @@ class Trimming {
         squares += p[i] * p[i];
       }
       const double length = unit ? std::sqrt(squares) : 1;
-      for (std::size_t i = 0; i < 3; ++i) *to++ = length > 0 ? static_cast<float>(p[i] / length) : a[i];
+      for (std::size_t i = 0; i < 3; ++i)
+        *to++ = length > 0 ? static_cast<float>(p[i] / length) : a[i];
     }
     values.swap(moved);
   }
@@ -120,6 +130,8 @@ class Trimming {
 
 }  // namespace
 
-Error trim(const std::vector<float>& values, const Limits& limits, Mesh& mesh) { return Trimming(values, limits, mesh).run(); }
+Error trim(const std::vector<float>& values, const Limits& limits, Mesh& mesh) {
+  return Trimming(values, limits, mesh).run();
+}
 
 }  // namespace isostar

@@ -1,4 +1,5 @@
-// Items that stay where they are as more come. Less code than a deque, which a page's decoder would have to load.
+// Items that stay where they are as more come. Less code than a deque, which a page's decoder would
+// have to load.
 #pragma once
 
 #include <memory>

@@ -7,16 +7,20 @@
 
 namespace isostar {
 
-/// Of an octave's vertices, where those that are not in the mesh have the values of the simplices they lie in.
+/// Of an octave's vertices, where those that are not in the mesh have the values of the simplices
+/// they lie in.
 template <int D>
 struct AdaptiveLevel {
   Signs<D> signs;
-  Scalars<D> scalars;  // told, taken over from the coarser octave, or interpolated
+  Scalars<D> scalars;           // told, taken over from the coarser octave, or interpolated
   std::vector<uint8_t> active;  // as of activeBricks(signs)
 
   AdaptiveLevel() = default;
-  /// Before its own scalars are told: from its signs and absent vertices and, null for the base, the coarser octave.
-  ISOSTAR_COLD AdaptiveLevel(const Signs<D>& coded, const Signs<D>& absent, const AdaptiveLevel* coarser) : signs(coded), scalars(coded.table().total()) {
+  /// Before its own scalars are told: from its signs and absent vertices and, null for the base,
+  /// the coarser octave.
+  ISOSTAR_COLD AdaptiveLevel(const Signs<D>& coded, const Signs<D>& absent,
+                             const AdaptiveLevel* coarser)
+      : signs(coded), scalars(coded.table().total()) {
     if (coarser != nullptr) {
       takeOver(*coarser);
       interpolate(absent, *coarser);
@@ -24,18 +28,27 @@ struct AdaptiveLevel {
     active = activeBricks(signs);
   }
   /// Bytes that this takes at most.
-  [[nodiscard]] static uint64_t memoryToMake(const Signs<D>& coded, const Signs<D>& absent, const AdaptiveLevel* coarser) {
+  [[nodiscard]] static uint64_t memoryToMake(const Signs<D>& coded, const Signs<D>& absent,
+                                             const AdaptiveLevel* coarser) {
     const uint64_t brickIndices = coded.table().total(), absentBricks = absent.brickCount();
-    const uint64_t taken = coarser == nullptr ? 0 : (uint64_t{coarser->scalars.brickCount()} << D) + absentBricks;
-    return brickIndices + Signs<D>::memoryToFill(brickIndices, coded.brickCount() + absentBricks) + Scalars<D>::memoryOf(brickIndices, std::min(brickIndices, taken));
+    const uint64_t taken =
+        coarser == nullptr ? 0 : (uint64_t{coarser->scalars.brickCount()} << D) + absentBricks;
+    return brickIndices + Signs<D>::memoryToFill(brickIndices, coded.brickCount() + absentBricks) +
+           Scalars<D>::memoryOf(brickIndices, std::min(brickIndices, taken));
   }
 
   /// Bytes in use, while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return signs.memory() + scalars.memory() + active.size(); }
+  [[nodiscard]] uint64_t memory() const {
+    return signs.memory() + scalars.memory() + active.size();
+  }
 
  private:
-  [[nodiscard]] int32_t valueAt(const Coordinates<D>& v) const { return scalars.at(signs.table().brickIndexOf(v)).value[numberOf<D>(v)]; }
-  void setValue(const Coordinates<D>& v, int32_t value) { scalars.writable(signs.table().brickIndexOf(v)).value[numberOf<D>(v)] = value; }
+  [[nodiscard]] int32_t valueAt(const Coordinates<D>& v) const {
+    return scalars.at(signs.table().brickIndexOf(v)).value[numberOf<D>(v)];
+  }
+  void setValue(const Coordinates<D>& v, int32_t value) {
+    scalars.writable(signs.table().brickIndexOf(v)).value[numberOf<D>(v)] = value;
+  }
 
   void takeOver(const AdaptiveLevel& coarser) {
     const auto& from = coarser.signs;
@@ -43,13 +56,15 @@ struct AdaptiveLevel {
       if (!coarser.scalars.has(brickIndex)) continue;
       const auto& brick = coarser.scalars.at(brickIndex);
       for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
-        if (brick.knows(i)) setValue(from.lattice().onFiner(vertexOf<D>(from.table().brick(brickIndex), i)), brick.value[i]);
+        if (brick.knows(i))
+          setValue(from.lattice().onFiner(vertexOf<D>(from.table().brick(brickIndex), i)),
+                   brick.value[i]);
       }
     }
   }
 
-  /// Absent vertices: those of the coarser octave as they are there, the others halfway between the ends of their
-  /// refinement edge.
+  /// Absent vertices: those of the coarser octave as they are there, the others halfway between the
+  /// ends of their refinement edge.
   void interpolate(const Signs<D>& absent, const AdaptiveLevel& coarser) {
     forEachMember(absent, [&](const Coordinates<D>& v) {
       if (const auto same = signs.lattice().onCoarser(v)) signs.set(v, coarser.signs.at(*same));

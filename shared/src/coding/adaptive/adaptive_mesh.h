@@ -3,29 +3,37 @@
 
 #include "coding/signs/base_coder.h"
 #include "coding/signs/filling_coder.h"
-#include "grid/refined_signs.h"
 #include "coding/signs/refinement_coder.h"
+#include "grid/refined_signs.h"
 #include "util/cold_path.h"
 
 namespace isostar {
 
-/// An adaptive mesh is one of whole octaves with absent vertices: a crossing cell that is kept whole has none of the
-/// vertices that would split it, nor have its neighbours those that need them.
+/// An adaptive mesh is one of whole octaves with absent vertices: a crossing cell that is kept
+/// whole has none of the vertices that would split it, nor have its neighbours those that need
+/// them.
 template <int D>
 class AdaptiveMesh {
  public:
-  explicit AdaptiveMesh(const Lattice<D>& base) : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)), coders_(std::in_place) {}
+  explicit AdaptiveMesh(const Lattice<D>& base)
+      : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)), coders_(std::in_place) {}
 
-  /// Of an octave without absent vertices and the next one, to show what is known of it: no more of it can be told.
-  AdaptiveMesh(Signs<D> coarse, Signs<D> fine, Signs<D> absent) : absent_(1, Signs<D>(coarse.lattice())) {
+  /// Of an octave without absent vertices and the next one, to show what is known of it: no more of
+  /// it can be told.
+  AdaptiveMesh(Signs<D> coarse, Signs<D> fine, Signs<D> absent)
+      : absent_(1, Signs<D>(coarse.lattice())) {
     signs_.push_back(std::move(coarse));
     signs_.push_back(std::move(fine));
     absent_.push_back(std::move(absent));
   }
 
   [[nodiscard]] int level() const { return static_cast<int>(signs_.size()) - 1; }
-  [[nodiscard]] const Signs<D>& signs(int level) const { return signs_[static_cast<std::size_t>(level)]; }
-  [[nodiscard]] const Signs<D>& absent(int level) const { return absent_[static_cast<std::size_t>(level)]; }
+  [[nodiscard]] const Signs<D>& signs(int level) const {
+    return signs_[static_cast<std::size_t>(level)];
+  }
+  [[nodiscard]] const Signs<D>& absent(int level) const {
+    return absent_[static_cast<std::size_t>(level)];
+  }
   /// Has the mesh a vertex of an octave, and is it one of a simplex that is not split further?
   [[nodiscard]] bool belongsToLeaf(int level, const Coordinates<D>& v) const {
     if (absent(level).at(v)) return false;
@@ -53,13 +61,17 @@ class AdaptiveMesh {
   [[nodiscard]] uint64_t memoryToRefine() const {
     const BrickTable<D> finer(signs_.back().lattice().finer());
     const uint64_t brickIndices = finer.total();
-    return 2 * brickIndices + Signs<D>::memoryToFill(brickIndices, mostRefinedBricks(signs_.back(), finer)) + Signs<D>::memoryToFill(brickIndices, uint64_t{absent_.back().brickCount()} << D);
+    return 2 * brickIndices +
+           Signs<D>::memoryToFill(brickIndices, mostRefinedBricks(signs_.back(), finer)) +
+           Signs<D>::memoryToFill(brickIndices, uint64_t{absent_.back().brickCount()} << D);
   }
-  /// The same to fill an octave: vertices that were absent may need bricks of their own, on finer octaves, too.
+  /// The same to fill an octave: vertices that were absent may need bricks of their own, on finer
+  /// octaves, too.
   [[nodiscard]] uint64_t memoryToFill(int level) const {
     uint64_t sum = 0;
     for (auto o = static_cast<std::size_t>(level); o < signs_.size(); ++o) {
-      sum += Signs<D>::memoryToFill(signs_[o].table().total(), uint64_t{signs_[o].brickCount()} + absent_[o].brickCount());
+      sum += Signs<D>::memoryToFill(signs_[o].table().total(),
+                                    uint64_t{signs_[o].brickCount()} + absent_[o].brickCount());
     }
     return sum;
   }
@@ -69,7 +81,8 @@ class AdaptiveMesh {
     BaseCoder<D>().code(exchange, signs_.front());
   }
 
-  /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the others.
+  /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the
+  /// others.
   template <class Exchange>
   ISOSTAR_COLD void refine(Exchange& exchange) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
@@ -92,7 +105,8 @@ class AdaptiveMesh {
     }
   }
 
-  /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds that made them absent.
+  /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds
+  /// that made them absent.
   template <class Exchange>
   ISOSTAR_COLD void fill(Exchange& exchange, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
@@ -103,7 +117,8 @@ class AdaptiveMesh {
       signs.set(v, signs.at(corner));
     });
     exchange.hold(memory());
-    for (int dimension = D; dimension >= 1; --dimension) coders_->filling.code(exchange, signs, dimension, absent);
+    for (int dimension = D; dimension >= 1; --dimension)
+      coders_->filling.code(exchange, signs, dimension, absent);
     if (exchange.exhausted()) return;
     absent = Signs<D>(signs.lattice());
     for (int finer = level + 1; finer <= this->level(); ++finer) takeOverFilled(finer);
@@ -116,7 +131,8 @@ class AdaptiveMesh {
   /// The absent vertices of a coarser octave on the next one's lattice.
   static Signs<D> inherited(const Signs<D>& coarse) {
     Signs<D> fine(coarse.lattice().finer());
-    forEachMember(coarse, [&](const Coordinates<D>& v) { fine.set(coarse.lattice().onFiner(v), true); });
+    forEachMember(coarse,
+                  [&](const Coordinates<D>& v) { fine.set(coarse.lattice().onFiner(v), true); });
     return fine;
   }
 

@@ -1,19 +1,20 @@
-// An adapted mesh at a single rate (§5.1, adaptive): from each crossing leaf through its gates to the next, depth
-// first.
+// An adapted mesh at a single rate (§5.1, adaptive): from each crossing leaf through its gates to
+// the next, depth first.
 #pragma once
 
 #include "bisection/adjacency.h"
 #include "coding/adaptive/mesh_exchange.h"
-#include "entropy/models.h"
 #include "coding/adaptive/seed_coder.h"
+#include "entropy/models.h"
 
 namespace isostar {
 
 /// Tells the crossing leaves of a mesh of the RBMT and the signs of their vertices, each once.
 ///
-/// The level of the leaf behind a gate is {=, <, >} in the paper. Two leaves that share a face differ by a level at
-/// most, and by which only where the face lacks the newest vertex (<) or an end of the refinement edge (>); either is
-/// one question, whether the mesh has a vertex, and that is asked once for all simplices around the vertex's diamond.
+/// The level of the leaf behind a gate is {=, <, >} in the paper. Two leaves that share a face
+/// differ by a level at most, and by which only where the face lacks the newest vertex (<) or an
+/// end of the refinement edge (>); either is one question, whether the mesh has a vertex, and that
+/// is asked once for all simplices around the vertex's diamond.
 template <int D>
 class GateTraversal {
  public:
@@ -24,19 +25,22 @@ class GateTraversal {
         signs_(Lattice<D>(hierarchy.box(), 1)),
         seeds_(hierarchy) {}
 
-  /// `ask` is a MeshTruth or a MeshBlind. Calls visit(leaf, from, fresh) for each crossing leaf when all its signs are
-  /// known: it was entered from *from and its vertex `fresh` lies behind the gate; a component's first leaf has no
-  /// `from`.
+  /// `ask` is a MeshTruth or a MeshBlind. Calls visit(leaf, from, fresh) for each crossing leaf
+  /// when all its signs are known: it was entered from *from and its vertex `fresh` lies behind the
+  /// gate; a component's first leaf has no `from`.
   template <class Exchange, class Visit>
   void code(Exchange& exchange, Visit visit) {
     auto seed = exchange.nextSeed(visited_);
     bool any = false;
-    while (!seeds_.empty() && !exchange.exhausted() && another_.bit(exchange.coder(), seed.has_value())) {
+    while (!seeds_.empty() && !exchange.exhausted() &&
+           another_.bit(exchange.coder(), seed.has_value())) {
       any = true;
       component(exchange, seeds_.locate(exchange.coder(), seed), visit);
       seed = exchange.nextSeed(visited_);
     }
-    if (!any) signs_.fill(uniform_.bit(exchange.coder(), exchange.positive({})) ? Signs<D>::kPositive : Signs<D>::kNegative);
+    if (!any)
+      signs_.fill(uniform_.bit(exchange.coder(), exchange.positive({})) ? Signs<D>::kPositive
+                                                                        : Signs<D>::kNegative);
   }
 
   /// Has the leaves told, and what conforming asks for beside them.
@@ -76,8 +80,9 @@ class GateTraversal {
       if (!crossed(from, gate)) continue;
       const auto next = behind(exchange, from, gate);
       if (!next || visited_.has(next->simplex)) continue;
-      settle(exchange, next->simplex.vertices[next->newVertex],
-             [&](bool actual) { return sign(exchange.coder(), actual, from.vertices[gate], *next); });
+      settle(exchange, next->simplex.vertices[next->newVertex], [&](bool actual) {
+        return sign(exchange.coder(), actual, from.vertices[gate], *next);
+      });
       enter(next->simplex);
       visit(next->simplex, &from, next->newVertex);
     }
@@ -90,7 +95,9 @@ class GateTraversal {
     stack_.push_back({leaf, 0});
   }
 
-  [[nodiscard]] bool positiveVertex(const Coordinates<D>& v) const { return signs_.at(mesh_.hierarchy().position(v)); }
+  [[nodiscard]] bool positiveVertex(const Coordinates<D>& v) const {
+    return signs_.at(mesh_.hierarchy().position(v));
+  }
 
   /// Has the face opposite a vertex both signs?
   [[nodiscard]] bool crossed(const TaggedSimplex<D>& leaf, int opposite) const {
@@ -106,11 +113,13 @@ class GateTraversal {
     auto next = across(hierarchy, from, gate);
     if (!next) return next;
     auto& s = next->simplex;
-    if (s.depth > 0 && next->newVertex == newest(s) && !contains(exchange, s.vertices[next->newVertex], kCoarser)) {
+    if (s.depth > 0 && next->newVertex == newest(s) &&
+        !contains(exchange, s.vertices[next->newVertex], kCoarser)) {
       const auto coarse = parent(s);
       next->newVertex = coarse.vertices[0] == s.vertices[0] ? coarse.tag : 0;
       s = coarse;
-    } else if (s.depth < hierarchy.maxDepth() && (next->newVertex == 0 || next->newVertex == s.tag) &&
+    } else if (s.depth < hierarchy.maxDepth() &&
+               (next->newVertex == 0 || next->newVertex == s.tag) &&
                contains(exchange, s.middle(), kFiner)) {
       const bool atEvenEnd = next->newVertex != 0;
       next->newVertex = s.tag;
@@ -136,7 +145,8 @@ class GateTraversal {
     return there;
   }
 
-  /// In context of what is known of the vertices of the same class beside it, and of the last answers.
+  /// In context of what is known of the vertices of the same class beside it, and of the last
+  /// answers.
   template <class Coder>
   bool depth(Coder& coder, bool actual, const Coordinates<D>& v, Relation relation) {
     const auto d = mesh_.hierarchy().diamond(v);
@@ -151,9 +161,11 @@ class GateTraversal {
         absent += absent_.at(beside);
       }
     }
-    const auto kind = static_cast<std::size_t>(relation) * D + static_cast<std::size_t>(d.axes() - 1);
+    const auto kind =
+        static_cast<std::size_t>(relation) * D + static_cast<std::size_t>(d.axes() - 1);
     const std::array<BitModel*, 3> contexts{
-        &depthByDepth_[kind][std::min<std::size_t>(static_cast<std::size_t>(d.depth), kMostDepths - 1)],
+        &depthByDepth_[kind]
+                      [std::min<std::size_t>(static_cast<std::size_t>(d.depth), kMostDepths - 1)],
         &depthBySides_[kind][there][absent], &depthByLast_[kind][lastDepths_]};
     const bool value = Mixer<3>::bit<127, 12>(coder, actual, contexts, depthWeights_[kind]);
     lastDepths_ = (lastDepths_ << 1 | (value ? 1u : 0u)) & (kHistories - 1);
@@ -168,7 +180,8 @@ class GateTraversal {
     signs_.set(sample, code(exchange.positive(sample)));
   }
 
-  /// Of the vertex behind a gate, in context of the gate and the vertex before it, and of the samples around.
+  /// Of the vertex behind a gate, in context of the gate and the vertex before it, and of the
+  /// samples around.
   template <class Coder>
   bool sign(Coder& coder, bool actual, const Coordinates<D>& before, const Adjacent<D>& next) {
     const auto& s = next.simplex;
@@ -189,9 +202,10 @@ class GateTraversal {
         count += seen;
       }
     }
-    const auto tag = static_cast<std::size_t>(s.tag - 1), newVertex = static_cast<std::size_t>(next.newVertex);
-    const std::array<BitModel*, 3> contexts{&signByGate_[tag][newVertex][pattern], &signByAround_[around],
-                                          &signBySum_[tag][sum][count]};
+    const auto tag = static_cast<std::size_t>(s.tag - 1),
+               newVertex = static_cast<std::size_t>(next.newVertex);
+    const std::array<BitModel*, 3> contexts{&signByGate_[tag][newVertex][pattern],
+                                            &signByAround_[around], &signBySum_[tag][sum][count]};
     return Mixer<3>::bit<127, 12>(coder, actual, contexts, signWeights_[tag]);
   }
   /// Between the simplex's vertices, along an axis.

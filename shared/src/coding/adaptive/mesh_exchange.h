@@ -14,7 +14,8 @@ template <int D, class Coder>
 class MeshEncoderSide {
  public:
   /// Signs are those of the box's samples.
-  MeshEncoderSide(Coder& coder, const Rbmt<D>& mesh, const Signs<D>& signs) : coder_(coder), mesh_(mesh), signs_(signs) {
+  MeshEncoderSide(Coder& coder, const Rbmt<D>& mesh, const Signs<D>& signs)
+      : coder_(coder), mesh_(mesh), signs_(signs) {
     forEachCrossingLeaf(mesh, signs, [&](const TaggedSimplex<D>& leaf) { tube_.push_back(leaf); });
   }
 
@@ -22,7 +23,8 @@ class MeshEncoderSide {
   [[nodiscard]] bool exhausted() const { return false; }
   [[nodiscard]] bool contains(const Coordinates<D>& v) const { return mesh_.contains(v); }
   [[nodiscard]] bool positive(const Coordinates<D>& sample) const { return signs_.at(sample); }
-  /// The first crossing leaf, in the order of forEachLeaf, that has not been visited. Leaves are never unvisited.
+  /// The first crossing leaf, in the order of forEachLeaf, that has not been visited. Leaves are
+  /// never unvisited.
   [[nodiscard]] std::optional<TaggedSimplex<D>> nextSeed(const LeafSet<D>& visited) {
     while (next_ < tube_.size() && visited.has(tube_[next_])) ++next_;
     return next_ < tube_.size() ? std::optional(tube_[next_]) : std::nullopt;
@@ -47,7 +49,9 @@ class MeshDecoderSide {
   [[nodiscard]] bool exhausted() const { return coder_.overrun() > slack_; }
   [[nodiscard]] bool contains(const Coordinates<D>&) const { return false; }
   [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
-  [[nodiscard]] std::optional<TaggedSimplex<D>> nextSeed(const LeafSet<D>&) const { return std::nullopt; }
+  [[nodiscard]] std::optional<TaggedSimplex<D>> nextSeed(const LeafSet<D>&) const {
+    return std::nullopt;
+  }
 
  private:
   RangeDecoder& coder_;

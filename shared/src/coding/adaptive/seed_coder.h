@@ -1,4 +1,5 @@
-// Where a component begins (§5.1, localization): the way down the hierarchy to a leaf, Left or Right at each bisection.
+// Where a component begins (§5.1, localization): the way down the hierarchy to a leaf, Left or
+// Right at each bisection.
 #pragma once
 
 #include "bisection/adjacency.h"
@@ -7,20 +8,23 @@
 
 namespace isostar {
 
-/// Seeds come in the order of forEachLeaf: while the way follows that of the seed before, it never turns left of it.
+/// Seeds come in the order of forEachLeaf: while the way follows that of the seed before, it never
+/// turns left of it.
 template <int D>
 class SeedCoder {
  public:
   explicit SeedCoder(const Hierarchy<D>& hierarchy) : hierarchy_(hierarchy) {
     forEachLeaf(Rbmt<D>(hierarchy), [&](const TaggedSimplex<D>& s) { base_.push_back(s); });
-    for (std::size_t most = static_cast<std::size_t>(hierarchy.maxDepth()); most != 0; most >>= 1) ++depthBits_;
+    for (std::size_t most = static_cast<std::size_t>(hierarchy.maxDepth()); most != 0; most >>= 1)
+      ++depthBits_;
     depths_.resize(std::size_t{1} << depthBits_);
   }
 
   /// Has the box no simplices, having no extent on some axis?
   [[nodiscard]] bool empty() const { return base_.empty(); }
 
-  /// Tells the level of the leaf, then the way to it; the decoder has no truth. Not if there are no simplices.
+  /// Tells the level of the leaf, then the way to it; the decoder has no truth. Not if there are no
+  /// simplices.
   template <class Coder>
   TaggedSimplex<D> locate(Coder& coder, const std::optional<TaggedSimplex<D>>& actual) {
     const int depth = this->depth(coder, actual ? actual->depth : 0);
@@ -43,8 +47,10 @@ class SeedCoder {
     while (s.depth < depth) {
       const auto halves = s.halves();
       // A half beyond the box's end is no decision.
-      const bool onlyRight = hierarchy_.flat(halves[0].vertices), onlyLeft = hierarchy_.flat(halves[1].vertices);
-      const bool right = actual && way[static_cast<std::size_t>(depth - s.depth - 1)].vertices == halves[1].vertices;
+      const bool onlyRight = hierarchy_.flat(halves[0].vertices),
+                 onlyLeft = hierarchy_.flat(halves[1].vertices);
+      const bool right = actual && way[static_cast<std::size_t>(depth - s.depth - 1)].vertices ==
+                                       halves[1].vertices;
       s = halves[onlyRight || (!onlyLeft && turn(coder, right)) ? 1 : 0];
     }
     last_ = turns_;
@@ -55,13 +61,15 @@ class SeedCoder {
   template <class Coder>
   int depth(Coder& coder, int actual) {
     std::size_t node = 1;
-    for (int bit = depthBits_ - 1; bit >= 0; --bit) node = 2 * node + depths_[node].bit(coder, (actual >> bit & 1) != 0);
+    for (int bit = depthBits_ - 1; bit >= 0; --bit)
+      node = 2 * node + depths_[node].bit(coder, (actual >> bit & 1) != 0);
     return std::min(static_cast<int>(node - depths_.size()), hierarchy_.maxDepth());
   }
 
   template <class Coder>
   bool turn(Coder& coder, bool right) {
-    const bool seen = follows_ && turns_.size() < last_.size(), before = seen && last_[turns_.size()];
+    const bool seen = follows_ && turns_.size() < last_.size(),
+               before = seen && last_[turns_.size()];
     // Left of the seed before there is none.
     const bool taken = before || (seen ? leaves_ : free_).bit(coder, right);
     follows_ = seen && taken == before;

@@ -1,4 +1,5 @@
-// How far the crossings around a vertex are off, by what is told of its scalar (§5.3). Only the encoder asks.
+// How far the crossings around a vertex are off, by what is told of its scalar (§5.3). Only the
+// encoder asks.
 #pragma once
 
 #include <array>
@@ -13,11 +14,14 @@ template <int D>
 class CrossingDistortion {
  public:
   struct Edge {
-    double crossing;  // where the source's surface crosses it, from the vertex (0) to the far end (1)
-    double far, coded;  // size of the far end's scalar, half quanta: the source's, and as it is told
-    double length;    // so many times what the pass allows
-    double weight;    // the squared cosine to the surface's normal: so much of an error lies across the surface
-    double most;      // error; what is left is the far end's
+    double
+        crossing;  // where the source's surface crosses it, from the vertex (0) to the far end (1)
+    double far,
+        coded;      // size of the far end's scalar, half quanta: the source's, and as it is told
+    double length;  // so many times what the pass allows
+    double weight;  // the squared cosine to the surface's normal: so much of an error lies across
+                    // the surface
+    double most;    // error; what is left is the far end's
   };
 
   CrossingDistortion() = default;
@@ -27,7 +31,8 @@ class CrossingDistortion {
   void add(const Edge& edge) { edges_[count_++] = edge; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// If Scalars kept this middle of the vertex: squares summed up by weight, and much more for what exceeds the most.
+  /// If Scalars kept this middle of the vertex: squares summed up by weight, and much more for what
+  /// exceeds the most.
   [[nodiscard]] double of(uint32_t middle) const {
     constexpr double kExcess = 100;
     const double size = middle + offset_;
@@ -40,8 +45,8 @@ class CrossingDistortion {
     }
     return sum;
   }
-  /// May an interval end there that does not hold the truth? From its end all crossings can still be brought within what is allowed,
-  /// whatever is done so to the far ends, too.
+  /// May an interval end there that does not hold the truth? From its end all crossings can still
+  /// be brought within what is allowed, whatever is done so to the far ends, too.
   [[nodiscard]] bool mayEndAt(uint32_t end) const {
     constexpr double kMost = 0.3;  // less than half
     const double size = end + offset_;

@@ -1,4 +1,5 @@
-// What the encoder tells of a magnitude instead of the truth: what brings crossings nearer, or costs less (§5.3).
+// What the encoder tells of a magnitude instead of the truth: what brings crossings nearer, or
+// costs less (§5.3).
 #pragma once
 
 #include "coding/exchange/crossing_distortion.h"
@@ -6,8 +7,8 @@
 
 namespace isostar {
 
-/// A coder that is told the truth of one decision, and tells the other answer where cost() is less than what that saves, in 1/256 of a
-/// natural unit of information.
+/// A coder that is told the truth of one decision, and tells the other answer where cost() is less
+/// than what that saves, in 1/256 of a natural unit of information.
 template <class Coder, class Cost>
 class BiasedCoder {
  public:
@@ -27,13 +28,15 @@ class BiasedCoder {
 template <int D>
 class RdoqTarget {
  public:
-  RdoqTarget(uint32_t actual, const CrossingDistortion<D>& errors) : magnitude_(actual), errors_(errors) {}
+  RdoqTarget(uint32_t actual, const CrossingDistortion<D>& errors)
+      : magnitude_(actual), errors_(errors) {}
 
   [[nodiscard]] uint32_t magnitude() const { return magnitude_; }
   [[nodiscard]] bool upper(uint32_t middle) const { return 2 * uint64_t{magnitude_} >= middle; }
 
-  /// Takes one of the intervals beside the truth's where that errs less. settled(magnitude): the middle of the interval that halving
-  /// ends with, all as Scalars keep them; `middle` and `half` (of its width): of the one to begin with.
+  /// Takes one of the intervals beside the truth's where that errs less. settled(magnitude): the
+  /// middle of the interval that halving ends with, all as Scalars keep them; `middle` and `half`
+  /// (of its width): of the one to begin with.
   template <class Settled>
   void choose(uint32_t middle, uint32_t half, Settled settled) {
     if (errors_.empty()) return;
@@ -43,8 +46,8 @@ class RdoqTarget {
     if (own + ownHalf < middle + half) consider(own + ownHalf, (own + ownHalf) / 2, settled);
   }
 
-  /// Calls tell(coder), which tells whether the magnitude lies above an interval's middle and returns what has been told: the aim lies
-  /// there from now on.
+  /// Calls tell(coder), which tells whether the magnitude lies above an interval's middle and
+  /// returns what has been told: the aim lies there from now on.
   template <class Coder, class Settled, class Code>
   bool codeUpper(Coder& coder, uint32_t middle, Settled settled, Code code) {
     if (errors_.empty()) return code(coder);
@@ -61,7 +64,8 @@ class RdoqTarget {
   }
 
  private:
-  /// How much information the square of what a pass allows is worth, in 1/256 of a natural unit: measured to be best.
+  /// How much information the square of what a pass allows is worth, in 1/256 of a natural unit:
+  /// measured to be best.
   static constexpr double kPerSquare = 256 / 0.05, kNever = 1e9;
 
   template <class Settled>

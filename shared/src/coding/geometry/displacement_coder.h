@@ -1,22 +1,26 @@
-// Before the scalars (§5.3): where the signs leave the surface's place open, cubes of vertices say how far it lies off.
+// Before the scalars (§5.3): where the signs leave the surface's place open, cubes of vertices say
+// how far it lies off.
 #pragma once
 
-#include "scalars/displacement_window.h"
 #include "coding/exchange/exchange.h"
+#include "scalars/displacement_window.h"
 #include "util/cold_path.h"
 
 namespace isostar {
 
-/// Tells a displacement for each cube of vertices, of all at a time: every part of the surface comes a little nearer before
-/// any comes much nearer. Planes along the grid gain most, as the signs around them say nothing.
+/// Tells a displacement for each cube of vertices, of all at a time: every part of the surface
+/// comes a little nearer before any comes much nearer. Planes along the grid gain most, as the
+/// signs around them say nothing.
 template <int D>
 class DisplacementCoder {
  public:
   ISOSTAR_COLD DisplacementCoder() { weights_.fill(Mixer<kInputs>::initialWeights()); }
 
   template <class Exchange>
-  void code(Exchange& exchange, const Signs<D>& signs, Displacements<D>& displacements, const DisplacementPass& pass, const std::vector<uint8_t>& active) {
-    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(displacements.memory()); ++brickIndex) {
+  void code(Exchange& exchange, const Signs<D>& signs, Displacements<D>& displacements,
+            const DisplacementPass& pass, const std::vector<uint8_t>& active) {
+    for (std::size_t brickIndex = 0;
+         brickIndex < active.size() && !exchange.exhausted(displacements.memory()); ++brickIndex) {
       if (active[brickIndex] != 0) cubes(exchange, signs, displacements, brickIndex, pass);
     }
   }
@@ -29,7 +33,8 @@ class DisplacementCoder {
   static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4, kWideTrusts = 8;
 
   template <class Exchange>
-  void cubes(Exchange& exchange, const Signs<D>& signs, Values& displacements, std::size_t brickIndex, const DisplacementPass& pass) {
+  void cubes(Exchange& exchange, const Signs<D>& signs, Values& displacements,
+             std::size_t brickIndex, const DisplacementPass& pass) {
     findMembers(signs, displacements, brickIndex);
     auto& own = displacements.writable(brickIndex);
     window_.load(displacements, signs.table(), signs.table().brick(brickIndex));
@@ -37,7 +42,10 @@ class DisplacementCoder {
       for (std::size_t block = 0; block < own.size(); ++block) {
         if (!members_[block]) continue;
         const int before = own[block] == Values::kNone ? 0 : own[block];
-        move(own, block, code(exchange, context(block, 1, pass.step, before, 1), exchange.displacement(brickIndex, block)) * pass.step);
+        move(own, block,
+             code(exchange, context(block, 1, pass.step, before, 1),
+                  exchange.displacement(brickIndex, block)) *
+                 pass.step);
       }
       return;
     }
@@ -49,10 +57,12 @@ class DisplacementCoder {
   }
 
   /// The blocks with a positive end of a crossing axis edge; a pass before has found them, too.
-  ISOSTAR_COLD void findMembers(const Signs<D>& signs, const Values& displacements, std::size_t brickIndex) {
+  ISOSTAR_COLD void findMembers(const Signs<D>& signs, const Values& displacements,
+                                std::size_t brickIndex) {
     if (displacements.has(brickIndex)) {
       const auto& own = displacements.at(brickIndex);
-      for (std::size_t block = 0; block < own.size(); ++block) members_[block] = own[block] != Values::kNone;
+      for (std::size_t block = 0; block < own.size(); ++block)
+        members_[block] = own[block] != Values::kNone;
       return;
     }
     members_.fill(false);
@@ -80,8 +90,9 @@ class DisplacementCoder {
     });
   }
 
-  /// How those beside a cube differ from it: below it, where all has been told, and all around, then the same of a block's
-  /// neighbours along one axis or two; how many there are below; and how much of the cube the surface takes.
+  /// How those beside a cube differ from it: below it, where all has been told, and all around,
+  /// then the same of a block's neighbours along one axis or two; how many there are below; and how
+  /// much of the cube the surface takes.
   struct Context {
     std::size_t below, around, wideBelow, wideAround, trust, wideTrust, share;
   };
@@ -94,7 +105,9 @@ class DisplacementCoder {
       sum += weight * (value - own);
       count += weight;
     }
-    [[nodiscard]] Differences with(const Differences& other) const { return {sum + other.sum, count + other.count}; }
+    [[nodiscard]] Differences with(const Differences& other) const {
+      return {sum + other.sum, count + other.count};
+    }
     /// Their mean as a context, one of `most`, which reach two steps up and down.
     [[nodiscard]] std::size_t mean(int step, int most) const {
       const int half = most / 2, unit = std::max(count, 1) * step;
@@ -104,7 +117,8 @@ class DisplacementCoder {
   };
 
   template <class Exchange>
-  ISOSTAR_COLD void cube(Exchange& exchange, typename Values::Brick& own, std::size_t brickIndex, const Coordinates<D>& first, int side, int step) {
+  ISOSTAR_COLD void cube(Exchange& exchange, typename Values::Brick& own, std::size_t brickIndex,
+                         const Coordinates<D>& first, int side, int step) {
     const std::size_t corner = Values::blockAt(first);
     int members = 0, sum = 0;
     forMembers(first, side, [&](std::size_t block) {
@@ -112,7 +126,9 @@ class DisplacementCoder {
       sum += own[block] == Values::kNone ? 0 : own[block];
     });
     if (members == 0) return;
-    const int difference = code(exchange, context(corner, side, step, sum / members, members), exchange.displacement(brickIndex, corner)) * step;
+    const int difference = code(exchange, context(corner, side, step, sum / members, members),
+                                exchange.displacement(brickIndex, corner)) *
+                           step;
     forMembers(first, side, [&](std::size_t block) { move(own, block, difference); });
   }
 
@@ -121,8 +137,10 @@ class DisplacementCoder {
     window_.value[static_cast<std::size_t>(DisplacementWindow<D>::index(block))] = own[block];
   }
 
-  [[nodiscard]] Context context(std::size_t corner, int side, int step, int own, int members) const {
-    const int8_t* here = &window_.value[static_cast<std::size_t>(DisplacementWindow<D>::index(corner))];
+  [[nodiscard]] Context context(std::size_t corner, int side, int step, int own,
+                                int members) const {
+    const int8_t* here =
+        &window_.value[static_cast<std::size_t>(DisplacementWindow<D>::index(corner))];
     Differences below, above;
     for (int a = 0; a < D; ++a) {
       below.add(here[-DisplacementWindow<D>::stride(a)], own);
@@ -136,12 +154,17 @@ class DisplacementCoder {
         wideAbove.add(here[n.offset], own, n.weight);
       }
     }
-    return {below.mean(step, kMeans), below.with(above).mean(step, kWideMeans), wideBelow.mean(step, kWideMeans), wideBelow.with(wideAbove).mean(step, kWideMeans),
-            static_cast<std::size_t>(std::min(below.count, kTrusts - 1)), static_cast<std::size_t>(std::min(wideBelow.count / 2, kWideTrusts - 1)),
+    return {below.mean(step, kMeans),
+            below.with(above).mean(step, kWideMeans),
+            wideBelow.mean(step, kWideMeans),
+            wideBelow.with(wideAbove).mean(step, kWideMeans),
+            static_cast<std::size_t>(std::min(below.count, kTrusts - 1)),
+            static_cast<std::size_t>(std::min(wideBelow.count / 2, kWideTrusts - 1)),
             static_cast<std::size_t>(std::min((members - 1) / 2, kShares - 1))};
   }
 
-  /// A block's neighbour one step away on one axis or two, above it in a window; as far below there is one of the same weight.
+  /// A block's neighbour one step away on one axis or two, above it in a window; as far below there
+  /// is one of the same weight.
   struct Neighbour {
     int16_t offset, weight;
   };
@@ -152,7 +175,9 @@ class DisplacementCoder {
       const int along = DisplacementWindow<D>::stride(a);
       neighbours[count++] = {static_cast<int16_t>(along), 2};
       for (int b = 0; b < a; ++b) {
-        for (const int side : {-1, 1}) neighbours[count++] = {static_cast<int16_t>(along + side * DisplacementWindow<D>::stride(b)), 1};
+        for (const int side : {-1, 1})
+          neighbours[count++] = {
+              static_cast<int16_t>(along + side * DisplacementWindow<D>::stride(b)), 1};
       }
     }
     return neighbours;
@@ -163,15 +188,19 @@ class DisplacementCoder {
     const auto decide = [&](std::size_t decision, bool value) {
       return Mixer<kInputs>::template bit<255, 11>(
           exchange.coder(), value,
-          {&byBelow_[((decision * kMeans + c.below) * kTrusts + c.trust) * kShares + c.share], &byAround_[(decision * kWideMeans + c.around) * kTrusts + c.trust],
+          {&byBelow_[((decision * kMeans + c.below) * kTrusts + c.trust) * kShares + c.share],
+           &byAround_[(decision * kWideMeans + c.around) * kTrusts + c.trust],
            &byBoth_[(decision * kMeans + c.below) * kWideMeans + c.around],
-           &byWide_[((decision * kWideMeans + c.wideBelow) * kWideTrusts + c.wideTrust) * kWideMeans + c.wideAround]},
+           &byWide_[((decision * kWideMeans + c.wideBelow) * kWideTrusts + c.wideTrust) *
+                        kWideMeans +
+                    c.wideAround]},
           weights_[decision]);
     };
     if (!decide(0, actual != 0)) return 0;
     const bool negative = decide(1, actual < 0);
     int size = 1;
-    while (size < kMost && decide(static_cast<std::size_t>(size) + 1, std::abs(actual) > size)) ++size;
+    while (size < kMost && decide(static_cast<std::size_t>(size) + 1, std::abs(actual) > size))
+      ++size;
     return negative ? -size : size;
   }
 

@@ -1,16 +1,18 @@
-// Where the domain ends near the surface (§2): the distance to its boundary at the tube's vertices, as far as it is needed.
+// Where the domain ends near the surface (§2): the distance to its boundary at the tube's vertices,
+// as far as it is needed.
 #pragma once
 
 #include "coding/exchange/exchange.h"
+#include "grid/tube.h"
 #include "scalars/scalar_window.h"
 #include "util/cold_path.h"
-#include "grid/tube.h"
 
 namespace isostar {
 
-/// Distances count quanta, are positive inside, and lie within [-reach, reach). Of a vertex they are kept as 2 n + 1, which
-/// is the middle of [n, n + 1) in half quanta and never 0. First the side of each vertex is told; then the distance of those that
-/// have a neighbour on the other side, so that all cells that the boundary crosses have them; all others stay at ±reach.
+/// Distances count quanta, are positive inside, and lie within [-reach, reach). Of a vertex they
+/// are kept as 2 n + 1, which is the middle of [n, n + 1) in half quanta and never 0. First the
+/// side of each vertex is told; then the distance of those that have a neighbour on the other side,
+/// so that all cells that the boundary crosses have them; all others stay at ±reach.
 template <int D>
 class DomainCoder {
  public:
@@ -18,9 +20,11 @@ class DomainCoder {
 
   /// `diagonals`: also at vertices that only `tetrahedra` needs.
   template <class Exchange>
-  ISOSTAR_COLD void code(Exchange& exchange, const Signs<D>& signs, const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
+  ISOSTAR_COLD void code(Exchange& exchange, const Signs<D>& signs,
+                         const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
     for (const bool sides : {true, false}) {
-      for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(domain.memory()); ++brickIndex) {
+      for (std::size_t brickIndex = 0;
+           brickIndex < active.size() && !exchange.exhausted(domain.memory()); ++brickIndex) {
         if (active[brickIndex] == 0) continue;
         tube_.enter(signs, brickIndex, Members::AxisEnds);
         if (diagonals) tube_.addDiagonalEnds(signs);
@@ -37,7 +41,8 @@ class DomainCoder {
     int32_t distance;  // quanta, on the vertex's own side
     std::size_t trust;
   };
-  /// Neighbours of a vertex: offsets in a ScalarWindow and weights; first those along the axes, a and a + D opposite to each other.
+  /// Neighbours of a vertex: offsets in a ScalarWindow and weights; first those along the axes, a
+  /// and a + D opposite to each other.
   struct Neighbour {
     int offset, weight;
   };
@@ -64,10 +69,13 @@ class DomainCoder {
   }();
 
   [[nodiscard]] int32_t far() const { return 2 * reach_ - 1; }
-  [[nodiscard]] bool coded(int32_t value) const { return value != Scalars<D>::kUnknown && std::abs(value) < far(); }
+  [[nodiscard]] bool coded(int32_t value) const {
+    return value != Scalars<D>::kUnknown && std::abs(value) < far();
+  }
 
   template <class Exchange>
-  ISOSTAR_COLD void brick(Exchange& exchange, std::size_t brickIndex, bool sides, Scalars<D>& domain) {
+  ISOSTAR_COLD void brick(Exchange& exchange, std::size_t brickIndex, bool sides,
+                          Scalars<D>& domain) {
     auto& brick = domain.writable(brickIndex);
     window_.load(domain, tube_.table(), tube_.at());
     tube_.forEach([&](int, std::size_t r, int x) {
@@ -77,10 +85,11 @@ class DomainCoder {
     });
   }
 
-  /// What is known of a vertex, once its side has been told in context of its neighbours', or its distance where they are not all on
-  /// one side.
+  /// What is known of a vertex, once its side has been told in context of its neighbours', or its
+  /// distance where they are not all on one side.
   template <class Exchange>
-  [[gnu::noinline]] ISOSTAR_COLD int32_t code(Exchange& exchange, const int32_t* here, bool side, int32_t actual) {
+  [[gnu::noinline]] ISOSTAR_COLD int32_t code(Exchange& exchange, const int32_t* here, bool side,
+                                              int32_t actual) {
     int sum = 0;
     bool both = false;
     for (const Neighbour& n : kNeighbours) {
@@ -90,11 +99,14 @@ class DomainCoder {
       both = both || (value ^ *here) < 0;
     }
     if (!side) return both ? codeDistance(exchange, here, actual) : *here;
-    last_ = bit(exchange, sides_[last_ ? 1 : 0][static_cast<std::size_t>(std::clamp(sum, -16, 16) + 16)], actual >= 0);
+    last_ = bit(exchange,
+                sides_[last_ ? 1 : 0][static_cast<std::size_t>(std::clamp(sum, -16, 16) + 16)],
+                actual >= 0);
     return last_ ? far() : -far();
   }
 
-  /// A distance is nearly linear: the mean of what parallelograms with three neighbours say, else of the neighbours.
+  /// A distance is nearly linear: the mean of what parallelograms with three neighbours say, else
+  /// of the neighbours.
   [[nodiscard]] ISOSTAR_COLD Guess guess(const int32_t* here) const {
     int32_t sum = 0, count = 0, near = 0, nearCount = 0;
     for (std::size_t a = 0; a < 2 * D; ++a) {
@@ -110,7 +122,8 @@ class DomainCoder {
       }
     }
     const int32_t mean = count > 0 ? sum / count : nearCount > 0 ? near / nearCount : 0;
-    return {std::clamp((*here >= 0 ? mean : -mean) >> 1, 0, reach_ - 1), static_cast<std::size_t>(count > 0 ? std::min(count, 2) + 1 : std::min(nearCount, 1))};
+    return {std::clamp((*here >= 0 ? mean : -mean) >> 1, 0, reach_ - 1),
+            static_cast<std::size_t>(count > 0 ? std::min(count, 2) + 1 : std::min(nearCount, 1))};
   }
 
   /// As steps from the guess, one way or the other.
@@ -120,9 +133,14 @@ class DomainCoder {
     const auto [guess, trust] = this->guess(here);
     const int32_t difference = (inside ? actual : -1 - actual) - guess;
     const bool less = guess > 0 && bit(exchange, less_[trust], difference < 0);
-    const int32_t wanted = less ? -difference : difference, most = less ? guess : reach_ - 1 - guess;
+    const int32_t wanted = less ? -difference : difference,
+                  most = less ? guess : reach_ - 1 - guess;
     int32_t steps = less ? 1 : 0;
-    while (steps < most && bit(exchange, more_[trust][std::min<std::size_t>(static_cast<std::size_t>(steps), kSteps - 1)], wanted > steps)) ++steps;
+    while (steps < most &&
+           bit(exchange,
+               more_[trust][std::min<std::size_t>(static_cast<std::size_t>(steps), kSteps - 1)],
+               wanted > steps))
+      ++steps;
     const int32_t coded = less ? guess - steps : guess + steps;
     return inside ? 2 * coded + 1 : -2 * coded - 1;
   }

@@ -3,37 +3,43 @@
 
 #include <bit>
 
-#include "scalars/displacement_window.h"
 #include "coding/exchange/exchange.h"
 #include "estimate/hints.h"
 #include "estimate/prediction.h"
 #include "grid/tube.h"
+#include "scalars/displacement_window.h"
 
 namespace isostar {
 
-/// Tells the octave of |scalar - isovalue| at the tube's vertices; below a floor relative to the brick's gradient, only
-/// that it lies there. A crossing lies at |a| / (|a| + |b|), so that such steps are even in distance whatever the gradient.
+/// Tells the octave of |scalar - isovalue| at the tube's vertices; below a floor relative to the
+/// brick's gradient, only that it lies there. A crossing lies at |a| / (|a| + |b|), so that such
+/// steps are even in distance whatever the gradient.
 template <int D>
 class ExponentCoder {
  public:
-  ExponentCoder() : byShape_(kShapeContexts), byGuess_(kGuessContexts), bySizes_(kSizeContexts), byAll_(kAllContexts) {
+  ExponentCoder()
+      : byShape_(kShapeContexts),
+        byGuess_(kGuessContexts),
+        bySizes_(kSizeContexts),
+        byAll_(kAllContexts) {
     weights_.fill(Mixer<kInputs>::initialWeights());
   }
 
-  /// A brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least, floor being `depth`
-  /// octaves below the brick's gradient.
+  /// A brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least,
+  /// floor being `depth` octaves below the brick's gradient.
   template <class Exchange>
-  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
-            const Hints<D>& hints = {}) {
+  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members,
+            int depth, const std::vector<uint8_t>& active, const Hints<D>& hints = {}) {
     hints_ = hints;
     code(exchange, signs, scalars, members, depth, active, [](Tube<D>&) {});
   }
 
   /// The same for the members that choose(tube) leaves or adds.
   template <class Exchange, class Choose>
-  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members, int depth, const std::vector<uint8_t>& active,
-            Choose choose) {
-    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(scalars.memory()); ++brickIndex) {
+  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members,
+            int depth, const std::vector<uint8_t>& active, Choose choose) {
+    for (std::size_t brickIndex = 0;
+         brickIndex < active.size() && !exchange.exhausted(scalars.memory()); ++brickIndex) {
       if (active[brickIndex] == 0) continue;
       tube_.enter(signs, brickIndex, members);
       choose(tube_);
@@ -46,7 +52,7 @@ class ExponentCoder {
 
  private:
   static constexpr int kMostExponents = 8;  // told apart as contexts
-  static constexpr int kGuesses = 40;     // of a quarter of an octave
+  static constexpr int kGuesses = 40;       // of a quarter of an octave
   static constexpr int kCrossings = 8;
   static constexpr int kInputs = 4;
   static constexpr std::size_t kShapeContexts = kCrossings * 64 * kMostExponents;
@@ -56,7 +62,8 @@ class ExponentCoder {
   static constexpr int kMostWidth = 29;
   static constexpr int kMostGradient = 4 * 31;
 
-  /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one told.
+  /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one
+  /// told.
   template <class Exchange>
   void codeGradient(Exchange& exchange, Scalars<D>& scalars, std::size_t brickIndex) {
     const int actual = exchange.gradient(brickIndex) - lastGradient_;
@@ -65,7 +72,9 @@ class ExponentCoder {
     if (gradientModel_[0].bit(coder, actual != 0)) {
       const bool down = gradientModel_[1].bit(coder, actual < 0);
       int size = 1;
-      while (size < 128 && gradientModel_[static_cast<std::size_t>(std::min(size + 1, 15))].bit(coder, (down ? -actual : actual) > size)) ++size;
+      while (size < 128 && gradientModel_[static_cast<std::size_t>(std::min(size + 1, 15))].bit(
+                               coder, (down ? -actual : actual) > size))
+        ++size;
       difference = down ? -size : size;
     }
     lastGradient_ = std::clamp(lastGradient_ + difference, 0, kMostGradient);
@@ -73,7 +82,8 @@ class ExponentCoder {
   }
 
   template <class Exchange>
-  void brick(Exchange& exchange, Scalars<D>& scalars, Members members, std::size_t brickIndex, int depth) {
+  void brick(Exchange& exchange, Scalars<D>& scalars, Members members, std::size_t brickIndex,
+             int depth) {
     auto& brick = scalars.writable(brickIndex);
     brick.members[static_cast<std::size_t>(members)] = tube_.members();
     gradient_ = scalars.gradient(brickIndex);
@@ -87,47 +97,62 @@ class ExponentCoder {
     const SizeUnit unit(gradient_);
     shift_ = unit.shift;
     // Positive vertices first: the others then know the far ends of their crossing edges.
-    for (const bool positive : {true, false}) tube_.forEach(positive, [&](int row, std::size_t r, int x) {
-      if (exchange.exhausted()) return;
-      const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
-      if (brick.knows(v)) return;  // by another isovalue
-      const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, positive, unit, displaced_.at(r, x));
-      const int exponent = codeExponent(exchange, guess, exchange.magnitude(brickIndex, r, x));
-      const uint32_t low = exponent == 0 ? 0 : uint32_t{1} << (floor_ + exponent - 1);
-      brick.set(v, positive, low, exponent == 0 ? floor_ : floor_ + exponent - 1);
-      window_.value[window_.index(r, x)] = brick.value[v];
-    });
+    for (const bool positive : {true, false})
+      tube_.forEach(positive, [&](int row, std::size_t r, int x) {
+        if (exchange.exhausted()) return;
+        const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+        if (brick.knows(v)) return;  // by another isovalue
+        const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, positive, unit,
+                                             displaced_.at(r, x));
+        const int exponent = codeExponent(exchange, guess, exchange.magnitude(brickIndex, r, x));
+        const uint32_t low = exponent == 0 ? 0 : uint32_t{1} << (floor_ + exponent - 1);
+        brick.set(v, positive, low, exponent == 0 ? floor_ : floor_ + exponent - 1);
+        window_.value[window_.index(r, x)] = brick.value[v];
+      });
   }
 
-  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none. `size`: eighths() of a sum of so many.
+  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none. `size`: eighths() of
+  /// a sum of so many.
   [[nodiscard]] std::size_t relative(int size, int count) const {
-    static constexpr std::array<int8_t, 9> kOfTwice{0, 8, 16, 21, 24, 27, 29, 30, 32};  // 8 log2 of twice as many
-    const int halves = ((size - kOfTwice[static_cast<std::size_t>(count)]) >> 2) + 2 * shift_ - gradient_ / 2 + 11;
+    static constexpr std::array<int8_t, 9> kOfTwice{0,  8,  16, 21, 24,
+                                                    27, 29, 30, 32};  // 8 log2 of twice as many
+    const int halves =
+        ((size - kOfTwice[static_cast<std::size_t>(count)]) >> 2) + 2 * shift_ - gradient_ / 2 + 11;
     return count == 0 ? 0 : static_cast<std::size_t>(std::clamp(halves, 1, 15));
   }
 
-  /// Counted from the floor: from the octave that is guessed, up or down until it is found. The contexts of one vertex lie
-  /// side by side.
+  /// Counted from the floor: from the octave that is guessed, up or down until it is found. The
+  /// contexts of one vertex lie side by side.
   template <class Exchange>
   int codeExponent(Exchange& exchange, const Prediction<D>& p, uint32_t actual) {
-    const Lanes sizes = eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}), ones = eighths(Lanes{p.magnitude, p.own});
+    const Lanes sizes = eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}),
+                ones = eighths(Lanes{p.magnitude, p.own});
     const int toSteps = 8 * (shift_ - 1), guessed = ones[0] + toSteps;
-    const int exponent = std::max(0, 32 - std::countl_zero(actual) - floor_), last = kMostWidth - floor_;
+    const int exponent = std::max(0, 32 - std::countl_zero(actual) - floor_),
+              last = kMostWidth - floor_;
     // The same as the neighbours are to what the signs tell of them.
     const int alike = p.known == 0 ? guessed : ones[1] + sizes[2] - sizes[3] + toSteps;
-    const auto fromFloor = [&](int size) { return static_cast<std::size_t>(std::clamp((size - 8 * floor_ + 16) >> 1, 0, kGuesses - 1)); };
-    const std::size_t guess = fromFloor(guessed), ratio = fromFloor(alike), other = relative(sizes[0], p.others), same = relative(sizes[1], p.known - p.others);
-    const auto confidence = static_cast<std::size_t>(std::min(p.known, 3)), shape = static_cast<std::size_t>(p.shape);
+    const auto fromFloor = [&](int size) {
+      return static_cast<std::size_t>(std::clamp((size - 8 * floor_ + 16) >> 1, 0, kGuesses - 1));
+    };
+    const std::size_t guess = fromFloor(guessed), ratio = fromFloor(alike),
+                      other = relative(sizes[0], p.others),
+                      same = relative(sizes[1], p.known - p.others);
+    const auto confidence = static_cast<std::size_t>(std::min(p.known, 3)),
+               shape = static_cast<std::size_t>(p.shape);
     const auto crossings = static_cast<std::size_t>(std::min(p.crossings, kCrossings - 1));
     BitModel* const byShape = &byShape_[(crossings * 64 + shape) * kMostExponents];
-    BitModel* const byGuess = &byGuess_[((confidence * kGuesses + guess) * 4 + other / 4) * kMostExponents];
+    BitModel* const byGuess =
+        &byGuess_[((confidence * kGuesses + guess) * 4 + other / 4) * kMostExponents];
     BitModel* const bySizes = &bySizes_[((crossings * 16 + other) * 16 + same) * kMostExponents];
-    BitModel* const byAll = &byAll_[((ratio * 16 + shape / 4) * kCrossings + crossings) * kMostExponents];
+    BitModel* const byAll =
+        &byAll_[((ratio * 16 + shape / 4) * kCrossings + crossings) * kMostExponents];
     const std::size_t trust = (other != 0 ? 1 : 0) + (same != 0 ? 2 : 0);
     auto above = [&](int k) {
       const auto at = static_cast<std::size_t>(std::min(k, kMostExponents - 1));
-      return Mixer<kInputs>::template bit<127, 10>(exchange.coder(), exponent > k, {byShape + at, byGuess + at, bySizes + at, byAll + at},
-                                                   weights_[at * 4 + trust]);
+      return Mixer<kInputs>::template bit<127, 10>(
+          exchange.coder(), exponent > k, {byShape + at, byGuess + at, bySizes + at, byAll + at},
+          weights_[at * 4 + trust]);
     };
     int k = std::clamp(((guessed - 1) >> 3) + 1 - floor_, 0, last);
     const bool up = k < last && above(k);
@@ -141,7 +166,7 @@ class ExponentCoder {
   Tube<D> tube_;
   ScalarWindow<D> window_;
   ShapeEstimate<D> shapes_{SmoothingFilter::Wide};  // as a context best for all
-  int gradient_ = 0, floor_ = 0, shift_ = 0;  // of the brick in work
+  int gradient_ = 0, floor_ = 0, shift_ = 0;        // of the brick in work
   int lastGradient_ = 0;
   std::array<BitModel, 16> gradientModel_;
   std::vector<BitModel> byShape_, byGuess_, bySizes_, byAll_;

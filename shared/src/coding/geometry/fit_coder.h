@@ -1,4 +1,5 @@
-// Halves of intervals by what a local fit says of them: smaller and slower than by pairs of neighbours alone.
+// Halves of intervals by what a local fit says of them: smaller and slower than by pairs of
+// neighbours alone.
 #pragma once
 
 #include "coding/exchange/exchange.h"
@@ -11,23 +12,31 @@ namespace isostar {
 template <int D>
 class FitCoder {
  public:
-  ISOSTAR_COLD FitCoder() : byLevel_(kFitContexts), byBent_(kFitContexts), byBoth_(kBothContexts) { weights_.fill(Mixer<4>::initialWeights()); }
+  ISOSTAR_COLD FitCoder() : byLevel_(kFitContexts), byBent_(kFitContexts), byBoth_(kBothContexts) {
+    weights_.fill(Mixer<4>::initialWeights());
+  }
 
   /// A brick's scalars, and its gradient as Scalars keep it.
   void enter(const ScalarWindow<D>& scalars, int gradient) { window_.load(scalars, gradient); }
   /// Fits what is around vertex x in row r.
-  void find(std::size_t r, int x, bool positive) { fit_ = LocalFit<D>::of(window_, r, x, positive); }
+  void find(std::size_t r, int x, bool positive) {
+    fit_ = LocalFit<D>::of(window_, r, x, positive);
+  }
   /// Takes over what has been told of it.
   void code(std::size_t r, int x, int32_t scalar) { window_.code(r, x, scalar); }
 
-  /// Does the vertex found last lie in the upper half? `middle` in half quanta, 2^log2Half of these to each end; `fineness`: of the
-  /// interval, 0 … 7; `byPairs`: the chance by pairs of neighbours.
+  /// Does the vertex found last lie in the upper half? `middle` in half quanta, 2^log2Half of these
+  /// to each end; `fineness`: of the interval, 0 … 7; `byPairs`: the chance by pairs of neighbours.
   template <class Coder>
-  bool upper(Coder& coder, bool actual, uint32_t middle, int log2Half, std::size_t fineness, BitModel& byPairs) {
-    const std::size_t level = ratioOf(fit_.level, middle, log2Half), bent = ratioOf(fit_.bent, middle, log2Half);
-    const std::size_t counted = fineness * kCounts + static_cast<std::size_t>(std::min(fit_.known / 3, kCounts - 1));
-    const std::array<BitModel*, 4> contexts{&byPairs, &byLevel_[counted * kRatios + level], &byBent_[counted * kRatios + bent],
-                                          &byBoth_[(fineness * (kRatios / 2) + level / 2) * (kRatios / 2) + bent / 2]};
+  bool upper(Coder& coder, bool actual, uint32_t middle, int log2Half, std::size_t fineness,
+             BitModel& byPairs) {
+    const std::size_t level = ratioOf(fit_.level, middle, log2Half),
+                      bent = ratioOf(fit_.bent, middle, log2Half);
+    const std::size_t counted =
+        fineness * kCounts + static_cast<std::size_t>(std::min(fit_.known / 3, kCounts - 1));
+    const std::array<BitModel*, 4> contexts{
+        &byPairs, &byLevel_[counted * kRatios + level], &byBent_[counted * kRatios + bent],
+        &byBoth_[(fineness * (kRatios / 2) + level / 2) * (kRatios / 2) + bent / 2]};
     return Mixer<4>::template bit<255, 10>(coder, actual, contexts, weights_[counted]);
   }
 
@@ -36,7 +45,8 @@ class FitCoder {
   static constexpr std::size_t kFitContexts = kFinenesses * kCounts * kRatios;
   static constexpr std::size_t kBothContexts = kFinenesses * (kRatios / 2) * (kRatios / 2);
 
-  /// Where a guess lies in the interval, in eighths of its half: from 1, the middle being 32; 0 without a fit.
+  /// Where a guess lies in the interval, in eighths of its half: from 1, the middle being 32; 0
+  /// without a fit.
   [[nodiscard]] std::size_t ratioOf(int32_t guess, uint32_t middle, int log2Half) const {
     if (fit_.known == 0) return 0;
     const int64_t offset = int64_t{guess} - window_.scaled(static_cast<int32_t>(middle));

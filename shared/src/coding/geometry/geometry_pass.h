@@ -1,10 +1,10 @@
 // What a geometry layer is to do: the fields at its beginning.
 #pragma once
 
-#include "scalars/displacements.h"
 #include "coding/geometry/magnitude_coder.h"
-#include "util/cold_path.h"
 #include "container/stream.h"
+#include "scalars/displacements.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -15,25 +15,29 @@ struct GeometryPass {
 
   LayerKind kind = LayerKind::Exponents;
   Members members = Members::AxisEnds;
-  int depth = 3;           // Octaves: of the floor below the gradient
-  Allowed allowed{};       // Halving
-  int most = 1;            // Halving: of one interval
-  bool selective = false;  // Halving: only in bricks that are told
-  DisplacementPass displacement{};   // Displacement
+  int depth = 3;                    // Octaves: of the floor below the gradient
+  Allowed allowed{};                // Halving
+  int most = 1;                     // Halving: of one interval
+  bool selective = false;           // Halving: only in bricks that are told
+  DisplacementPass displacement{};  // Displacement
 
   /// As HalvingCoder takes it; `fitted` holds for a whole stream.
-  [[nodiscard]] typename MagnitudeCoder<D>::Pass magnitudePass(bool fitted) const { return {members, allowed, most, selective, fitted}; }
+  [[nodiscard]] typename MagnitudeCoder<D>::Pass magnitudePass(bool fitted) const {
+    return {members, allowed, most, selective, fitted};
+  }
 
   void write(ByteWriter& out) const {
     if (kind == LayerKind::Displacement) {
-      out.u8(static_cast<uint64_t>(displacement.log2Side) | static_cast<uint64_t>(displacement.step) << 2);
+      out.u8(static_cast<uint64_t>(displacement.log2Side) | static_cast<uint64_t>(displacement.step)
+                                                                << 2);
       return;
     }
     if (kind == LayerKind::Exponents) {
       out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(depth) << 1);
       return;
     }
-    out.u8(static_cast<uint64_t>(members) | (selective ? 2u : 0u) | static_cast<uint64_t>(most) << 2);
+    out.u8(static_cast<uint64_t>(members) | (selective ? 2u : 0u) |
+           static_cast<uint64_t>(most) << 2);
     // The same on all axes, and no diagonals: one number tells all.
     const bool even = allowed == alike(allowed[1]);
     out.varint(uint64_t{allowed[1]} << 1 | (even ? 1u : 0u));

@@ -1,19 +1,20 @@
-// The further passes of the final geometry (§5.3): intervals are halved while they move the surface.
+// The further passes of the final geometry (§5.3): intervals are halved while they move the
+// surface.
 #pragma once
 
 #include <bit>
 #include <optional>
 
 #include "coding/exchange/exchange.h"
-#include "estimate/far_ends.h"
 #include "coding/geometry/fit_coder.h"
+#include "estimate/far_ends.h"
 #include "estimate/interpolation.h"
 #include "grid/tube.h"
 
 namespace isostar {
 
-/// Halves the intervals of those vertices that still move a vertex of the surface by more than the pass allows, as both
-/// sides can see.
+/// Halves the intervals of those vertices that still move a vertex of the surface by more than the
+/// pass allows, as both sides can see.
 template <int D>
 class MagnitudeCoder {
  public:
@@ -21,8 +22,8 @@ class MagnitudeCoder {
 
   using Allowed = typename FarEnds<D>::Allowed;
 
-  /// What a pass does: at most `most` halvings of an interval; a selective one first tells of each brick whether it
-  /// takes part; a fitted one tells halves by FitCoder.
+  /// What a pass does: at most `most` halvings of an interval; a selective one first tells of each
+  /// brick whether it takes part; a fitted one tells halves by FitCoder.
   struct Pass {
     Members members = Members::AxisEnds;
     Allowed allowed{};
@@ -32,11 +33,14 @@ class MagnitudeCoder {
   };
 
   template <class Exchange>
-  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
+  void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass,
+            const std::vector<uint8_t>& active) {
     if (pass.fitted && !fit_) fit_.emplace();
-    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(); ++brickIndex) {
+    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted();
+         ++brickIndex) {
       if (active[brickIndex] == 0 || !scalars.has(brickIndex)) continue;
-      if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex))) continue;
+      if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex)))
+        continue;
       gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
@@ -58,7 +62,8 @@ class MagnitudeCoder {
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
 
   template <class Exchange>
-  void vertex(Exchange& exchange, typename Scalars<D>::Brick& brick, std::size_t brickIndex, std::size_t r, int x, const Pass& pass) {
+  void vertex(Exchange& exchange, typename Scalars<D>::Brick& brick, std::size_t brickIndex,
+              std::size_t r, int x, const Pass& pass) {
     const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
     if (!brick.knows(v)) return;
     const bool positive = brick.value[v] > 0;
@@ -67,20 +72,27 @@ class MagnitudeCoder {
     if (!moves(interval, pass.selective)) return;
     const auto guess = Interpolation<D>::of(window_, r, x, positive);
     if (pass.fitted) fit_->find(r, x, positive);
-    const auto neighbour = [&](int axis, bool ahead) { return window_.value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))]; };
+    const auto neighbour = [&](int axis, bool ahead) {
+      return window_
+          .value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))];
+    };
     auto target = exchange.target(brickIndex, r, x, neighbour, pass.allowed);
-    target.choose(interval.middle, uint32_t{1} << interval.width, [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
-    for (int coded = 0; coded < pass.most && moves(interval, pass.selective); ++coded) halve(exchange, interval, guess, target, pass);
+    target.choose(interval.middle, uint32_t{1} << interval.width,
+                  [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
+    for (int coded = 0; coded < pass.most && moves(interval, pass.selective); ++coded)
+      halve(exchange, interval, guess, target, pass);
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
     if (pass.fitted) fit_->code(r, x, brick.value[v]);
   }
 
   [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
-    return interval.width > 0 && farEnds_.move(interval.middle, uint32_t{1} << interval.width, selective);
+    return interval.width > 0 &&
+           farEnds_.move(interval.middle, uint32_t{1} << interval.width, selective);
   }
 
-  /// The middle of the interval that halving ends with for a magnitude: only an encoder can look ahead.
+  /// The middle of the interval that halving ends with for a magnitude: only an encoder can look
+  /// ahead.
   [[nodiscard]] uint32_t settled(Interval interval, uint32_t magnitude, bool selective) const {
     while (moves(interval, selective)) {
       const uint32_t half = uint32_t{1} << --interval.width;
@@ -90,27 +102,33 @@ class MagnitudeCoder {
   }
 
   template <class Exchange, class RdoqTarget>
-  void halve(Exchange& exchange, Interval& interval, const Interpolation<D>& guess, RdoqTarget& target, const Pass& pass) {
+  void halve(Exchange& exchange, Interval& interval, const Interpolation<D>& guess,
+             RdoqTarget& target, const Pass& pass) {
     const Interval whole = interval;
     const int width = --interval.width;
     // Where the guess lies in the interval, in sixteenths; it may lie outside.
     const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
-    const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
+    const auto ratio =
+        static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
     const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - width, 0, 7));
-    BitModel& probability = models_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
+    BitModel& probability =
+        models_[(fineness * 4 + static_cast<std::size_t>(guess.confidence)) * kRatios + ratio];
     const bool upper = target.codeUpper(
-        exchange.coder(), whole.middle, [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
+        exchange.coder(), whole.middle,
+        [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
         [&](auto& coder) {
           const bool isUpper = target.upper(whole.middle);
-          return pass.fitted ? fit_->upper(coder, isUpper, whole.middle, width, fineness, probability) : probability.bit(coder, isUpper);
+          return pass.fitted
+                     ? fit_->upper(coder, isUpper, whole.middle, width, fineness, probability)
+                     : probability.bit(coder, isUpper);
         });
     const uint32_t half = uint32_t{1} << width;
     interval.middle += upper ? half : -half;
   }
 
   ScalarWindow<D> window_;
-  int gradient_ = 0;     // of the brick in work
-  FarEnds<D> farEnds_;   // of the vertex in work
+  int gradient_ = 0;    // of the brick in work
+  FarEnds<D> farEnds_;  // of the vertex in work
   BitModel selectModel_;
   std::vector<BitModel> models_;
   std::optional<FitCoder<D>> fit_;  // where a pass is fitted

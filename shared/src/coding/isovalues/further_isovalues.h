@@ -4,10 +4,10 @@
 #include <memory>
 #include <tuple>
 
+#include "coding/geometry/exponent_coder.h"
 #include "coding/isovalues/further_magnitude_coder.h"
 #include "coding/isovalues/further_sign_coder.h"
 #include "grid/refined_signs.h"
-#include "coding/geometry/exponent_coder.h"
 
 namespace isostar {
 
@@ -19,7 +19,7 @@ struct FurtherSurface {
   Signs<D> signs;
   std::vector<uint8_t> active;  // as of activeBricks(signs)
   Scalars<D> scalars;           // of all vertices with an interval, seen from the isovalue
-  std::array<bool, 2> coded{};   // by Members
+  std::array<bool, 2> coded{};  // by Members
 };
 
 template <int D>
@@ -42,7 +42,8 @@ class FurtherIsovalues {
   struct Neighbours {
     std::optional<Neighbour> below, above;
     [[nodiscard]] const Neighbour& nearest(double isovalue) const {
-      return !above || (below && isovalue - below->isovalue <= above->isovalue - isovalue) ? *below : *above;
+      return !above || (below && isovalue - below->isovalue <= above->isovalue - isovalue) ? *below
+                                                                                           : *above;
     }
   };
 
@@ -55,9 +56,11 @@ class FurtherIsovalues {
     return nullptr;
   }
 
-  /// The signs of one more isovalue, `level` quanta above the first one; by `margin` levels and signs may disagree.
+  /// The signs of one more isovalue, `level` quanta above the first one; by `margin` levels and
+  /// signs may disagree.
   template <class Exchange>
-  [[gnu::noinline]] void signs(Exchange& exchange, const First& first, double isovalue, int32_t isoStep, int32_t margin) {
+  [[gnu::noinline]] void signs(Exchange& exchange, const First& first, double isovalue,
+                               int32_t isoStep, int32_t margin) {
     if (surfaces_.empty()) takeOver(first);
     if (!coders_) coders_ = std::make_unique<Coders>();
     FurtherSurface<D> added;
@@ -67,8 +70,10 @@ class FurtherIsovalues {
     task.isoStep = isoStep;
     task.margin = margin;
     const Neighbours near = neighbours(first, isovalue);
-    if (near.below) std::tie(task.below, task.isoStepBelow) = std::pair(near.below->signs, near.below->isoStep);
-    if (near.above) std::tie(task.above, task.isoStepAbove) = std::pair(near.above->signs, near.above->isoStep);
+    if (near.below)
+      std::tie(task.below, task.isoStepBelow) = std::pair(near.below->signs, near.below->isoStep);
+    if (near.above)
+      std::tie(task.above, task.isoStepAbove) = std::pair(near.above->signs, near.above->isoStep);
     added.signs = *near.nearest(isovalue).signs;
     added.scalars = seenFrom(first, isoStep);
     coders_->signs.code(exchange, task, intervals_, added.signs, added.scalars);
@@ -83,7 +88,8 @@ class FurtherIsovalues {
     FurtherSurface<D>& last = surfaces_.back();
     coders_->exponents.code(exchange, last.signs, last.scalars, members, depth, last.active);
     for (std::size_t brickIndex = 0; brickIndex < last.active.size(); ++brickIndex) {
-      if (last.active[brickIndex] != 0 && last.scalars.has(brickIndex)) intervals_.add(brickIndex, last.scalars.at(brickIndex), last.isoStep);
+      if (last.active[brickIndex] != 0 && last.scalars.has(brickIndex))
+        intervals_.add(brickIndex, last.scalars.at(brickIndex), last.isoStep);
     }
     last.coded[static_cast<std::size_t>(members)] = true;
   }
@@ -91,15 +97,18 @@ class FurtherIsovalues {
   template <class Exchange>
   void magnitudes(Exchange& exchange, const typename FurtherMagnitudeCoder<D>::Pass& pass) {
     FurtherSurface<D>& last = surfaces_.back();
-    coders_->magnitudes.code(exchange, last.signs, last.isoStep, intervals_, last.scalars, pass, last.active);
+    coders_->magnitudes.code(exchange, last.signs, last.isoStep, intervals_, last.scalars, pass,
+                             last.active);
   }
 
   /// The isovalues told on both sides of another.
   [[nodiscard]] Neighbours neighbours(const First& first, double isovalue) const {
     Neighbours near;
     const auto see = [&](const Neighbour& one) {
-      if (one.isovalue <= isovalue && (!near.below || one.isovalue > near.below->isovalue)) near.below = one;
-      if (one.isovalue > isovalue && (!near.above || one.isovalue < near.above->isovalue)) near.above = one;
+      if (one.isovalue <= isovalue && (!near.below || one.isovalue > near.below->isovalue))
+        near.below = one;
+      if (one.isovalue > isovalue && (!near.above || one.isovalue < near.above->isovalue))
+        near.above = one;
     };
     see({first.isovalue, 0, &first.signs});
     for (const auto& s : surfaces_) see({s.isovalue, s.isoStep, &s.signs});
@@ -118,7 +127,8 @@ class FurtherIsovalues {
       for (std::size_t v = 0; v < known.size(); ++v) {
         if (known[v].bounded()) brick.value[v] = known[v].value(isoStep);
       }
-      if (brickIndex < first.scalars.tableSize() && first.scalars.has(brickIndex)) gradient = first.scalars.gradient(brickIndex);
+      if (brickIndex < first.scalars.tableSize() && first.scalars.has(brickIndex))
+        gradient = first.scalars.gradient(brickIndex);
       for (const auto& s : surfaces_) {
         if (s.scalars.has(brickIndex)) gradient = s.scalars.gradient(brickIndex);
       }
@@ -127,7 +137,8 @@ class FurtherIsovalues {
     return scalars;
   }
 
-  /// Bytes that it takes at most to begin one more isovalue: intervals, scalars, signs as they are and as they become tidy.
+  /// Bytes that it takes at most to begin one more isovalue: intervals, scalars, signs as they are
+  /// and as they become tidy.
   [[nodiscard]] uint64_t memoryToBegin(const First& first) const {
     const auto& table = first.signs.table();
     const uint64_t brickIndices = table.total();
@@ -135,14 +146,17 @@ class FurtherIsovalues {
     const uint64_t known = bricksSeen(first);
     uint64_t most = first.signs.brickCount();
     for (const auto& s : surfaces_) most = std::max<uint64_t>(most, s.signs.brickCount());
-    return (none ? Intervals<D>::memoryOf(brickIndices, known) : 0) + Scalars<D>::memoryOf(brickIndices, known) + brickIndices +
-           2 * Signs<D>::memoryToFill(brickIndices, most) + VertexFront<D>::memoryToBegin(table, 2 * most);
+    return (none ? Intervals<D>::memoryOf(brickIndices, known) : 0) +
+           Scalars<D>::memoryOf(brickIndices, known) + brickIndices +
+           2 * Signs<D>::memoryToFill(brickIndices, most) +
+           VertexFront<D>::memoryToBegin(table, 2 * most);
   }
   /// The same for scalars that are told of vertices without an interval.
   [[nodiscard]] uint64_t memoryToCode() const {
     const auto& active = surfaces_.back().active;
     uint64_t bricks = 0;
-    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) bricks += active[brickIndex] != 0 && !intervals_.has(brickIndex) ? 1 : 0;
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex)
+      bricks += active[brickIndex] != 0 && !intervals_.has(brickIndex) ? 1 : 0;
     return Scalars<D>::memoryOf(0, bricks) + Intervals<D>::memoryOf(0, bricks);
   }
   /// Bytes in use beside the models, while one more brick is made.
@@ -153,7 +167,9 @@ class FurtherIsovalues {
   }
   [[nodiscard]] uint64_t memoryOfIntervals() const { return intervals_.memory(); }
   /// In how many bricks seenFrom() knows something.
-  [[nodiscard]] std::size_t bricksSeen(const First& first) const { return surfaces_.empty() ? first.scalars.brickCount() : intervals_.brickCount(); }
+  [[nodiscard]] std::size_t bricksSeen(const First& first) const {
+    return surfaces_.empty() ? first.scalars.brickCount() : intervals_.brickCount();
+  }
 
  private:
   struct Coders {
@@ -165,7 +181,8 @@ class FurtherIsovalues {
   void takeOver(const First& first) {
     intervals_ = Intervals<D>(first.signs.table().total());
     for (std::size_t brickIndex = 0; brickIndex < first.scalars.tableSize(); ++brickIndex) {
-      if (first.scalars.has(brickIndex)) intervals_.add(brickIndex, first.scalars.at(brickIndex), 0);
+      if (first.scalars.has(brickIndex))
+        intervals_.add(brickIndex, first.scalars.at(brickIndex), 0);
     }
   }
 

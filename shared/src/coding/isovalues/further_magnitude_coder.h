@@ -1,4 +1,5 @@
-// Close-by isosurfaces (§5.4), second half: intervals known from other isovalues are halved where they move the new surface.
+// Close-by isosurfaces (§5.4), second half: intervals known from other isovalues are halved where
+// they move the new surface.
 #pragma once
 
 #include "coding/geometry/magnitude_coder.h"
@@ -16,11 +17,14 @@ class FurtherMagnitudeCoder {
 
   /// `scalars` are what intervals tell as seen from `level`, the isovalue's.
   template <class Exchange>
-  void code(Exchange& exchange, const Signs<D>& signs, int32_t isoStep, Intervals<D>& intervals, Scalars<D>& scalars, const Pass& pass,
-            const std::vector<uint8_t>& active) {
-    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted(); ++brickIndex) {
-      if (active[brickIndex] == 0 || !scalars.has(brickIndex) || !intervals.has(brickIndex)) continue;
-      if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex))) continue;
+  void code(Exchange& exchange, const Signs<D>& signs, int32_t isoStep, Intervals<D>& intervals,
+            Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
+    for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted();
+         ++brickIndex) {
+      if (active[brickIndex] == 0 || !scalars.has(brickIndex) || !intervals.has(brickIndex))
+        continue;
+      if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex)))
+        continue;
       gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
@@ -34,8 +38,10 @@ class FurtherMagnitudeCoder {
         if (!moves(known[v], isoStep, pass.selective)) return;
         const auto guess = Interpolation<D>::of(window_, r, x, positive);
         const auto actual = static_cast<int32_t>(exchange.magnitude(brickIndex, r, x));
-        const int32_t own = isoStep + (positive ? actual : -1 - actual), expected = guessed(guess, positive, isoStep, known[v]);
-        for (int coded = 0; coded < pass.most && moves(known[v], isoStep, pass.selective); ++coded) {
+        const int32_t own = isoStep + (positive ? actual : -1 - actual),
+                      expected = guessed(guess, positive, isoStep, known[v]);
+        for (int coded = 0; coded < pass.most && moves(known[v], isoStep, pass.selective);
+             ++coded) {
           halve(exchange, known[v], expected, guess.confidence, own);
         }
         window_.value[window_.index(r, x)] = brick.value[v] = known[v].value(isoStep);
@@ -48,23 +54,31 @@ class FurtherMagnitudeCoder {
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
 
   [[nodiscard]] bool moves(const Interval& interval, int32_t isoStep, bool selective) const {
-    return interval.width() > 1 && farEnds_.move(static_cast<uint32_t>(std::abs(interval.value(isoStep))), interval.width(), selective);
+    return interval.width() > 1 &&
+           farEnds_.move(static_cast<uint32_t>(std::abs(interval.value(isoStep))), interval.width(),
+                         selective);
   }
 
   /// The level that is guessed; not far outside the interval.
-  static int32_t guessed(const Interpolation<D>& guess, bool positive, int32_t isoStep, const Interval& interval) {
+  static int32_t guessed(const Interpolation<D>& guess, bool positive, int32_t isoStep,
+                         const Interval& interval) {
     const int64_t away = guess.magnitude / 2, at = isoStep + (positive ? away : -away);
-    return static_cast<int32_t>(std::clamp<int64_t>(at, int64_t{interval.low} - interval.width(), int64_t{interval.high} + interval.width()));
+    return static_cast<int32_t>(std::clamp<int64_t>(at, int64_t{interval.low} - interval.width(),
+                                                    int64_t{interval.high} + interval.width()));
   }
 
   template <class Exchange>
-  void halve(Exchange& exchange, Interval& interval, int32_t guess, int confidence, int32_t actual) {
+  void halve(Exchange& exchange, Interval& interval, int32_t guess, int confidence,
+             int32_t actual) {
     const auto width = static_cast<int64_t>(interval.width());
     const auto middle = static_cast<int32_t>(interval.low + width / 2);
     const int64_t offset = (int64_t{guess} - middle) * (kRatios / 2) / width;
-    const auto ratio = static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
-    const auto fineness = static_cast<std::size_t>(std::clamp(gradient_ / 4 - (32 - std::countl_zero(interval.width())) + 2, 0, 7));
-    BitModel& probability = models_[(fineness * 4 + static_cast<std::size_t>(confidence)) * kRatios + ratio];
+    const auto ratio =
+        static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
+    const auto fineness = static_cast<std::size_t>(
+        std::clamp(gradient_ / 4 - (32 - std::countl_zero(interval.width())) + 2, 0, 7));
+    BitModel& probability =
+        models_[(fineness * 4 + static_cast<std::size_t>(confidence)) * kRatios + ratio];
     (probability.bit(exchange.coder(), actual >= middle) ? interval.low : interval.high) = middle;
   }
 

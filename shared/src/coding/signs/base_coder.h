@@ -1,17 +1,18 @@
-// The base surface (§5.1, uniform): each component is localized, then the tube is followed through its gates, depth first.
+// The base surface (§5.1, uniform): each component is localized, then the tube is followed through
+// its gates, depth first.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "coding/exchange/exchange.h"
-#include "util/cold_path.h"
 #include "grid/simplex.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
-/// Tells the signs of the coarsest octave. The sign of a vertex of the tube is told once, when the traversal first meets
-/// it; all others are deduced, since they lie on one side of the tube.
+/// Tells the signs of the coarsest octave. The sign of a vertex of the tube is told once, when the
+/// traversal first meets it; all others are deduced, since they lie on one side of the tube.
 template <int D>
 class BaseCoder {
  public:
@@ -22,7 +23,8 @@ class BaseCoder {
     visited_.assign(Simplex<D>::count(lattice), false);
     bool any = false;
     std::optional<Simplex<D>> seed = exchange.nextSeed(lattice, visited_);
-    while (!visited_.empty() && !exchange.exhausted() && another_.bit(exchange.coder(), seed.has_value())) {
+    while (!visited_.empty() && !exchange.exhausted() &&
+           another_.bit(exchange.coder(), seed.has_value())) {
       any = true;
       component(exchange, lattice, localize(exchange, lattice, seed.value_or(Simplex<D>{})));
       seed = exchange.nextSeed(lattice, visited_);
@@ -38,12 +40,14 @@ class BaseCoder {
 
   static std::size_t index(const Lattice<D>& lattice, const Coordinates<D>& v) {
     std::size_t at = 0;
-    for (int a = D - 1; a >= 0; --a) at = at * static_cast<std::size_t>(lattice.last[a] + 1) + static_cast<std::size_t>(v[a]);
+    for (int a = D - 1; a >= 0; --a)
+      at = at * static_cast<std::size_t>(lattice.last[a] + 1) + static_cast<std::size_t>(v[a]);
     return at;
   }
 
-  /// The hierarchy is a binary partition of space: one Left/Right decision halves the box across its longest side, until a
-  /// cell is left; then the simplex in it. A side that is empty is no decision.
+  /// The hierarchy is a binary partition of space: one Left/Right decision halves the box across
+  /// its longest side, until a cell is left; then the simplex in it. A side that is empty is no
+  /// decision.
   template <class Exchange>
   Simplex<D> localize(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& actual) {
     Coordinates<D> low{}, high = lattice.last;  // cells low … high - 1
@@ -93,7 +97,8 @@ class BaseCoder {
       const auto next = from.across(i, lattice);
       if (!next || visited_[next->index(lattice)]) continue;
       visited_[next->index(lattice)] = true;
-      settle(exchange, lattice, next->vertex(i), gateModel_[static_cast<std::size_t>(inGate)][positive[i]]);
+      settle(exchange, lattice, next->vertex(i),
+             gateModel_[static_cast<std::size_t>(inGate)][positive[i]]);
       stack_.push_back(*next);
       return true;
     }
@@ -101,7 +106,8 @@ class BaseCoder {
   }
 
   template <class Exchange>
-  void settle(Exchange& exchange, const Lattice<D>& lattice, const Coordinates<D>& v, BitModel& model) {
+  void settle(Exchange& exchange, const Lattice<D>& lattice, const Coordinates<D>& v,
+              BitModel& model) {
     uint8_t& known = known_[index(lattice, v)];
     if (known == kUnknown) known = mark(model.bit(exchange.coder(), exchange.positive(v)));
   }
@@ -118,7 +124,8 @@ class BaseCoder {
         for (int32_t side = -1; side <= 1; side += 2) {
           Coordinates<D> next = front[i];
           next[a] += side;
-          if (next[a] < 0 || next[a] > lattice.last[a] || known_[index(lattice, next)] != kUnknown) continue;
+          if (next[a] < 0 || next[a] > lattice.last[a] || known_[index(lattice, next)] != kUnknown)
+            continue;
           known_[index(lattice, next)] = sign;
           front.push_back(next);
         }
@@ -127,7 +134,9 @@ class BaseCoder {
   }
 
   void write(Signs<D>& signs) {
-    forVertices(signs.lattice(), [&](const Coordinates<D>& v) { signs.set(v, known_[index(signs.lattice(), v)] == kPositive); });
+    forVertices(signs.lattice(), [&](const Coordinates<D>& v) {
+      signs.set(v, known_[index(signs.lattice(), v)] == kPositive);
+    });
   }
 
   template <class Visit>

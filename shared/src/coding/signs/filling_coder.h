@@ -1,4 +1,5 @@
-// The reverse of welds (§4.3): the absent vertices of an octave come back, and their signs are told.
+// The reverse of welds (§4.3): the absent vertices of an octave come back, and their signs are
+// told.
 #pragma once
 
 #include "coding/signs/sign_coder.h"
@@ -8,11 +9,14 @@ namespace isostar {
 template <int D>
 class FillingCoder {
  public:
-  /// Those that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a fresh one has its lower
-  /// corner's sign for now. No component first appears here, or its vertices would not be absent.
+  /// Those that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
+  /// fresh one has its lower corner's sign for now. No component first appears here, or its
+  /// vertices would not be absent.
   template <class Exchange>
-  ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs, int dimension, const Signs<D>& absent) {
-    for (std::size_t brickIndex = 0; brickIndex < signs.table().total() && !exchange.exhausted(signs.memory()); ++brickIndex) {
+  ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs, int dimension,
+                         const Signs<D>& absent) {
+    for (std::size_t brickIndex = 0;
+         brickIndex < signs.table().total() && !exchange.exhausted(signs.memory()); ++brickIndex) {
       if (absent.index(brickIndex) == Signs<D>::kNegative) continue;
       rows_.enter(signs, nullptr, brickIndex, dimension);
       for (int i = 0; i < rows_.openCount(); ++i) {

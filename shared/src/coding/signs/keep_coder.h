@@ -6,8 +6,8 @@
 
 namespace isostar {
 
-/// A cell stays whole if its centre is absent: told of each centre whose diamond has both signs, in context of how many
-/// centres around are absent.
+/// A cell stays whole if its centre is absent: told of each centre whose diamond has both signs, in
+/// context of how many centres around are absent.
 template <int D>
 class WholeCellCoder {
  public:
@@ -22,8 +22,12 @@ class WholeCellCoder {
       for (uint32_t open = row.open; open != 0; open &= open - 1) {
         const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
         const auto packs = RowPacks<D>::around(&absent);
-        const unsigned siblings = packs.count(n.siblingMask, at), far = packs.count(n.outerMask, at);
-        BitModel& probability = models_[std::min(siblings, 7u) * 4 + (far == 0 ? 0 : far < 4 ? 1 : far < 12 ? 2 : 3)];
+        const unsigned siblings = packs.count(n.siblingMask, at),
+                       far = packs.count(n.outerMask, at);
+        BitModel& probability = models_[std::min(siblings, 7u) * 4 + (far == 0   ? 0
+                                                                      : far < 4  ? 1
+                                                                      : far < 12 ? 2
+                                                                                 : 3)];
         if (!probability.bit(exchange.coder(), (actual >> x & 1) != 0)) continue;
         absent = static_cast<uint16_t>(absent | 1u << at);
         row.absent = static_cast<uint8_t>(row.absent | 1u << x);

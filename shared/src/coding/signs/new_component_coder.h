@@ -6,8 +6,8 @@
 
 namespace isostar {
 
-/// Localizes exceptions to the deduction of signs: by group of quiet bricks and brick, which the traversal goes through,
-/// then by row and vertex.
+/// Localizes exceptions to the deduction of signs: by group of quiet bricks and brick, which the
+/// traversal goes through, then by row and vertex.
 template <int D>
 class NewComponentCoder {
  public:
@@ -24,10 +24,14 @@ class NewComponentCoder {
     return quietFlag_[dimension].bit(coder, actual);
   }
 
-  /// Those of a brick near the surface, that has been entered; `told`: how many of its signs have been.
+  /// Those of a brick near the surface, that has been entered; `told`: how many of its signs have
+  /// been.
   template <class Exchange>
-  void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, int dimension, int coded) {
-    if (brickFlag_[dimension][activity(coded)].bit(exchange.coder(), any(exchange, brickIndex, rows))) codeRows(exchange, brickIndex, rows, coded);
+  void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, int dimension,
+            int coded) {
+    if (brickFlag_[dimension][activity(coded)].bit(exchange.coder(),
+                                                   any(exchange, brickIndex, rows)))
+      codeRows(exchange, brickIndex, rows, coded);
   }
 
   /// Of a brick that has some.
@@ -46,17 +50,22 @@ class NewComponentCoder {
 
  private:
   /// How busy a brick is.
-  static int activity(int coded) { return coded == 0 ? 0 : coded < 6 ? 1 : coded < 16 ? 2 : coded < 48 ? 3 : 4; }
+  static int activity(int coded) {
+    return coded == 0 ? 0 : coded < 6 ? 1 : coded < 16 ? 2 : coded < 48 ? 3 : 4;
+  }
 
   template <class Exchange>
-  static Bits exceptions(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows, const Row& row) {
-    return (exchange.row(brickIndex, row.brick) ^ *rows.signs(row) >> Window<D>::kHalo) & row.deduced();
+  static Bits exceptions(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows,
+                         const Row& row) {
+    return (exchange.row(brickIndex, row.brick) ^ *rows.signs(row) >> Window<D>::kHalo) &
+           row.deduced();
   }
 
   template <class Exchange>
   static bool any(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows) {
     Bits any = 0;
-    for (int i = 0; i < rows.count(); ++i) any |= exceptions(exchange, brickIndex, rows, rows.row(i));
+    for (int i = 0; i < rows.count(); ++i)
+      any |= exceptions(exchange, brickIndex, rows, rows.row(i));
     return any != 0;
   }
 
@@ -74,8 +83,8 @@ class NewComponentCoder {
     rows.setChanged(any);
   }
 
-  std::array<BitModel, D + 1> groupFlag_, quietFlag_;          // by class
-  std::array<std::array<BitModel, 5>, D + 1> brickFlag_;       // by class and activity
+  std::array<BitModel, D + 1> groupFlag_, quietFlag_;     // by class
+  std::array<std::array<BitModel, 5>, D + 1> brickFlag_;  // by class and activity
   std::array<std::array<BitModel, 3>, 5> rowFlag_;
   std::array<BitModel, 2> vertexFlag_;  // by whether the row had one before
 };

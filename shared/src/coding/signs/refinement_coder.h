@@ -1,37 +1,42 @@
-// Refinement (§5.2): D bisections lead from one octave to the next; at each the signs of the new vertices are told.
+// Refinement (§5.2): D bisections lead from one octave to the next; at each the signs of the new
+// vertices are told.
 #pragma once
 
-#include "coding/signs/new_component_coder.h"
-#include "grid/refined_signs.h"
-#include "coding/signs/sign_coder.h"
 #include "coding/signs/keep_coder.h"
+#include "coding/signs/new_component_coder.h"
+#include "coding/signs/sign_coder.h"
+#include "grid/refined_signs.h"
 
 namespace isostar {
 
-/// Tells an octave's fresh vertices, by the number of axes on which they are fresh: D (centres of cells), … 1 (midpoints
-/// of their edges). A vertex whose diamond has both signs is told by a decision in context. One whose diamond is
-/// uniform has its sign deduced, unless a component of the surface first appears there: these exceptions are localized
-/// by brick, row and vertex, so that the octave's signs are the source's, every component and no more.
+/// Tells an octave's fresh vertices, by the number of axes on which they are fresh: D (centres of
+/// cells), … 1 (midpoints of their edges). A vertex whose diamond has both signs is told by a
+/// decision in context. One whose diamond is uniform has its sign deduced, unless a component of
+/// the surface first appears there: these exceptions are localized by brick, row and vertex, so
+/// that the octave's signs are the source's, every component and no more.
 template <int D>
 class RefinementCoder {
  public:
-  /// All bisections of an octave, slab of bricks by slab: each bisection follows the one before a slab behind, where all
-  /// that it looks at has been told, so that of a stream that ends early all before a few places is known. Of an adaptive octave
-  /// `absent` are the vertices that are not in the mesh: the first bisection tells of each crossing cell whether it stays
-  /// whole, and a vertex whose diamond has an absent one is absent too, so that the mesh conforms.
+  /// All bisections of an octave, slab of bricks by slab: each bisection follows the one before a
+  /// slab behind, where all that it looks at has been told, so that of a stream that ends early all
+  /// before a few places is known. Of an adaptive octave `absent` are the vertices that are not in
+  /// the mesh: the first bisection tells of each crossing cell whether it stays whole, and a vertex
+  /// whose diamond has an absent one is absent too, so that the mesh conforms.
   template <class Exchange>
   void code(Exchange& exchange, Signs<D>& signs, Signs<D>* absent = nullptr) {
     absent_ = absent;
     active_ = activeBricks(signs);
     if (absent != nullptr) {
       const auto near = activeBricks(*absent);
-      for (std::size_t brickIndex = 0; brickIndex < near.size(); ++brickIndex) active_[brickIndex] |= near[brickIndex];
+      for (std::size_t brickIndex = 0; brickIndex < near.size(); ++brickIndex)
+        active_[brickIndex] |= near[brickIndex];
     }
     coded_.fill(0);
     const auto slabs = static_cast<std::size_t>(signs.table().count(D - 1));
     for (std::size_t step = 0; step < slabs + D - 1; ++step) {
       for (int dimension = D; dimension >= 1; --dimension) {
-        const std::size_t slab = step + static_cast<std::size_t>(dimension) - D;  // wraps around before the first
+        const std::size_t slab =
+            step + static_cast<std::size_t>(dimension) - D;  // wraps around before the first
         if (slab >= slabs) continue;
         bisect(exchange, signs, dimension, slab);
         if (exchange.exhausted(signs.memory() + memory())) return;
@@ -44,19 +49,23 @@ class RefinementCoder {
     Signs<D> result(signs.lattice());
     for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
       if (active_[brickIndex] == 0) continue;
-      forEachNew(signs.lattice(), signs.table().brick(brickIndex), [&](const Coordinates<D>& v, std::size_t dimension) {
-        if (brickIndex >= coded_[dimension]) result.set(v, true);
-      });
+      forEachNew(signs.lattice(), signs.table().brick(brickIndex),
+                 [&](const Coordinates<D>& v, std::size_t dimension) {
+                   if (brickIndex >= coded_[dimension]) result.set(v, true);
+                 });
     }
     return result;
   }
-  /// The bricks of the octave told last that touch the surface, and a few others, 1 marked, by place; none the second time.
+  /// The bricks of the octave told last that touch the surface, and a few others, 1 marked, by
+  /// place; none the second time.
   [[nodiscard]] std::vector<uint8_t> takeActive() { return std::move(active_); }
   /// Has any of the octave been told?
   [[nodiscard]] bool began() const { return coded_[D] != 0; }
 
   /// Bytes in use beside the models, while one more place changes.
-  [[nodiscard]] uint64_t memory() const { return active_.capacity() + memoryToGrow(changedBricks_) + memoryToGrow(bricksWithAbsent_); }
+  [[nodiscard]] uint64_t memory() const {
+    return active_.capacity() + memoryToGrow(changedBricks_) + memoryToGrow(bricksWithAbsent_);
+  }
 
  private:
   static constexpr std::size_t kGroup = 64;  // quiet bricks in a row that share a flag
@@ -65,24 +74,29 @@ class RefinementCoder {
   template <class Exchange>
   void bisect(Exchange& exchange, Signs<D>& signs, int dimension, std::size_t slab) {
     const std::size_t size = signs.table().stride(D - 1), begin = slab * size, end = begin + size;
-    for (std::size_t first = begin; first < end && !exchange.exhausted(signs.memory() + memory()); first += kGroup) {
+    for (std::size_t first = begin; first < end && !exchange.exhausted(signs.memory() + memory());
+         first += kGroup) {
       quietGroup(exchange, signs, dimension, first, std::min(first + kGroup, end));
     }
     std::size_t& coded = coded_[static_cast<std::size_t>(dimension)];
-    for (std::size_t brickIndex = begin; brickIndex < end && !exchange.exhausted(signs.memory() + memory()); ++brickIndex) {
+    for (std::size_t brickIndex = begin;
+         brickIndex < end && !exchange.exhausted(signs.memory() + memory()); ++brickIndex) {
       coded = brickIndex;
       if (active_[brickIndex] != 0) brick(exchange, signs, brickIndex, dimension);
     }
-    if (!exchange.exhausted(signs.memory() + memory())) coded = end;  // else what was read of the last brick may be noise
+    if (!exchange.exhausted(signs.memory() + memory()))
+      coded = end;  // else what was read of the last brick may be noise
     for (const std::size_t brickIndex : changedBricks_) activateAround(signs, brickIndex, active_);
     changedBricks_.clear();
-    for (const std::size_t brickIndex : bricksWithAbsent_) activateAround(*absent_, brickIndex, active_);
+    for (const std::size_t brickIndex : bricksWithAbsent_)
+      activateAround(*absent_, brickIndex, active_);
     bricksWithAbsent_.clear();
   }
 
   /// Components that first appear far from the surface.
   template <class Exchange>
-  void quietGroup(Exchange& exchange, Signs<D>& signs, int dimension, std::size_t first, std::size_t end) {
+  void quietGroup(Exchange& exchange, Signs<D>& signs, int dimension, std::size_t first,
+                  std::size_t end) {
     bool any = false, quiet = false;
     for (std::size_t brickIndex = first; brickIndex < end; ++brickIndex) {
       if (active_[brickIndex] != 0) continue;
@@ -90,8 +104,12 @@ class RefinementCoder {
       any = any || differs(exchange, signs, brickIndex, dimension);
     }
     if (!quiet || !newComponents_.inGroup(exchange.coder(), dimension, any)) return;
-    for (std::size_t brickIndex = first; brickIndex < end && !exchange.exhausted(signs.memory() + memory()); ++brickIndex) {
-      if (active_[brickIndex] != 0 || !newComponents_.inQuietBrick(exchange.coder(), dimension, differs(exchange, signs, brickIndex, dimension))) continue;
+    for (std::size_t brickIndex = first;
+         brickIndex < end && !exchange.exhausted(signs.memory() + memory()); ++brickIndex) {
+      if (active_[brickIndex] != 0 ||
+          !newComponents_.inQuietBrick(exchange.coder(), dimension,
+                                       differs(exchange, signs, brickIndex, dimension)))
+        continue;
       rows_.enter(signs, absent_, brickIndex, dimension);
       newComponents_.codeRows(exchange, brickIndex, rows_, 0);
       store(signs, brickIndex);
@@ -105,7 +123,8 @@ class RefinementCoder {
     rows_.find(signs.lattice(), signs.table().brick(brickIndex), dimension);
     const uint32_t uniform = signs.index(brickIndex) == Signs<D>::kPositive ? 0xFF : 0;
     uint32_t difference = 0;
-    for (int i = 0; i < rows_.count(); ++i) difference |= (exchange.row(brickIndex, rows_.row(i).brick) ^ uniform) & rows_.row(i).members;
+    for (int i = 0; i < rows_.count(); ++i)
+      difference |= (exchange.row(brickIndex, rows_.row(i).brick) ^ uniform) & rows_.row(i).members;
     return difference != 0;
   }
 
@@ -132,12 +151,15 @@ class RefinementCoder {
     if (any == 0) return;
     bricksWithAbsent_.push_back(brickIndex);
     auto& bytes = absent_->writable(brickIndex).rows;
-    for (int i = 0; i < rows_.count(); ++i) bytes[rows_.row(i).brick] = static_cast<uint8_t>(bytes[rows_.row(i).brick] | rows_.row(i).absent);
+    for (int i = 0; i < rows_.count(); ++i)
+      bytes[rows_.row(i).brick] =
+          static_cast<uint8_t>(bytes[rows_.row(i).brick] | rows_.row(i).absent);
   }
 
   /// Calls visit(v, on how many axes it is fresh) for the fresh vertices of a brick.
   template <class Visit>
-  ISOSTAR_COLD static void forEachNew(const Lattice<D>& lattice, const Coordinates<D>& brick, Visit visit) {
+  ISOSTAR_COLD static void forEachNew(const Lattice<D>& lattice, const Coordinates<D>& brick,
+                                      Visit visit) {
     Coordinates<D> low, high;
     for (int a = 0; a < D; ++a) {
       low[a] = brick[a] * kBrickSide;
@@ -152,7 +174,7 @@ class RefinementCoder {
   Signs<D>* absent_ = nullptr;   // null: all are in the mesh
   std::vector<uint8_t> active_;  // bricks of the octave in work, as of activeBricks()
   std::vector<std::size_t> changedBricks_, bricksWithAbsent_;  // in this bisection of this slab
-  std::array<std::size_t, D + 1> coded_{};                  // by bisection: the bricks before this place
+  std::array<std::size_t, D + 1> coded_{};  // by bisection: the bricks before this place
   NewVertexRows<D> rows_;
   SignCoder<D> signs_;
   WholeCellCoder<D> wholeCells_;

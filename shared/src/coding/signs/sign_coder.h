@@ -7,8 +7,8 @@
 
 namespace isostar {
 
-/// Three contexts and an estimate are mixed: the diamond as it is, counts of its signs, counts of those further away, and what
-/// each neighbour's sign says by a weight of its own.
+/// Three contexts and an estimate are mixed: the diamond as it is, counts of its signs, counts of
+/// those further away, and what each neighbour's sign says by a weight of its own.
 template <int D>
 class SignCoder {
  public:
@@ -19,8 +19,10 @@ class SignCoder {
     uint32_t near = 0, counted = 0;
     for (unsigned set = 1; set < kSets; ++set) {
       const auto& n = neighbourhoods_[set];
-      const unsigned first = (1u << std::popcount(set)) - 1;  // of those with as many axes, which share all but near_
-      const int diamondBits = std::min(n.diamondCount(), Nearby::kDiamondBits), siblings = std::min(kSiblings, kMostNearBits - diamondBits);
+      const unsigned first =
+          (1u << std::popcount(set)) - 1;  // of those with as many axes, which share all but near_
+      const int diamondBits = std::min(n.diamondCount(), Nearby::kDiamondBits),
+                siblings = std::min(kSiblings, kMostNearBits - diamondBits);
       tables_[set] = {near, set == first ? counted : tables_[first].counted, siblings};
       near += 1u << (diamondBits + siblings);
       if (set == first) counted += static_cast<uint32_t>((n.cornerCount + 1) * (n.acrossCount + 1));
@@ -35,7 +37,8 @@ class SignCoder {
   template <class Exchange>
   int code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
     int coded = 0;
-    for (int i = 0; i < rows.openCount(); ++i) coded += codeRow(exchange, brickIndex, rows, rows.open(i));
+    for (int i = 0; i < rows.openCount(); ++i)
+      coded += codeRow(exchange, brickIndex, rows, rows.open(i));
     return coded;
   }
 
@@ -55,7 +58,9 @@ class SignCoder {
     for (Bits open = row.open; open != 0; open &= open - 1, ++coded) {
       const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
       // Without a branch, which nobody could predict.
-      const unsigned flipped = (static_cast<unsigned>(signs) >> at & 1) ^ (codeSign(exchange, &signs, row.newAxes, at, (actual >> x & 1) != 0) ? 1u : 0u);
+      const unsigned flipped =
+          (static_cast<unsigned>(signs) >> at & 1) ^
+          (codeSign(exchange, &signs, row.newAxes, at, (actual >> x & 1) != 0) ? 1u : 0u);
       signs = static_cast<uint16_t>(signs ^ flipped << at);
       packs_.flip(flipped, at);
     }
@@ -69,21 +74,28 @@ class SignCoder {
     const auto& n = neighbourhoods_[newAxes];
     auto gather = [&](const Step* steps, int count) {
       unsigned bits = 0;
-      for (int i = 0; i < count; ++i) bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
+      for (int i = 0; i < count; ++i)
+        bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);
       return bits;
     };
-    const auto [diamond, corners, across, nearWeight] = Nearby::unpacked(packs_.diamond(n.slices, at));
+    const auto [diamond, corners, across, nearWeight] =
+        Nearby::unpacked(packs_.diamond(n.slices, at));
     const unsigned first = gather(n.siblings.data(), kSiblings);
-    const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at), outer = packs_.count(n.outerMask, at);
-    const int weight = nearWeight + static_cast<int>(far) * Nearby::kFarOne + static_cast<int>(outer) * Nearby::kOuterOne;
+    const unsigned siblings = packs_.count(n.siblingMask, at), far = packs_.count(n.farMask, at),
+                   outer = packs_.count(n.outerMask, at);
+    const int weight = nearWeight + static_cast<int>(far) * Nearby::kFarOne +
+                       static_cast<int>(outer) * Nearby::kOuterOne;
     const Table& table = tables_[newAxes];
-    const unsigned counted = table.counted + corners * static_cast<unsigned>(n.acrossCount + 1) + across;
-    const std::array<BitModel*, kInputs> contexts{&near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
-                                                &counts_[counted << kSiblings | first],
-                                                &wide_[counted << kWideBits | siblings / 2 << 5 | far / 2]};
+    const unsigned counted =
+        table.counted + corners * static_cast<unsigned>(n.acrossCount + 1) + across;
+    const std::array<BitModel*, kInputs> contexts{
+        &near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
+        &counts_[counted << kSiblings | first],
+        &wide_[counted << kWideBits | siblings / 2 << 5 | far / 2]};
     // Positive weights less negative ones, in 1/256 of log-odds.
     const int estimate = (2 * weight - n.weight) * (256 / Nearby::kOne);
-    return Mixer<kInputs>::template bit<255, 12>(exchange.coder(), actual, contexts, weights_[counted], estimate);
+    return Mixer<kInputs>::template bit<255, 12>(exchange.coder(), actual, contexts,
+                                                 weights_[counted], estimate);
   }
 
   const typename Nearby::All& neighbourhoods_ = Nearby::all();

@@ -9,17 +9,20 @@
 
 namespace isostar {
 
-/// Distances in grid steps. From the source: at each of its vertices, how far the decoded field says that its surface is. From
-/// the decoded surface likewise, where the source has no vertex on the same edge.
+/// Distances in grid steps. From the source: at each of its vertices, how far the decoded field
+/// says that its surface is. From the decoded surface likewise, where the source has no vertex on
+/// the same edge.
 template <int D>
 class AdaptiveDistance {
  public:
   using Point = typename AdaptivePlan<D>::Point;
 
-  AdaptiveDistance(const AdaptivePlan<D>& plan, const GridField<D>& field, const AdaptiveLevel<D>& decoded)
+  AdaptiveDistance(const AdaptivePlan<D>& plan, const GridField<D>& field,
+                   const AdaptiveLevel<D>& decoded)
       : plan_(plan), field_(field), decoded_(decoded), table_(decoded.signs.table()) {}
 
-  /// Calls visit(point in samples, distance) for the vertices of the source's surface, each `stride`th.
+  /// Calls visit(point in samples, distance) for the vertices of the source's surface, each
+  /// `stride`th.
   template <class Visit>
   void fromSource(std::size_t stride, Visit visit) const {
     for (std::size_t i = 0; i < plan_.crossings().size(); i += stride) {
@@ -28,9 +31,12 @@ class AdaptiveDistance {
       ++to[c.axis];
       const double low = value(c.from), high = value(to);
       if (low != 0 && high != 0 && (low > 0) != (high > 0)) {
-        visit(c.position, std::abs((low / (low - high) - c.at) * plan_.unit()[static_cast<std::size_t>(c.axis)] * c.normal[static_cast<std::size_t>(c.axis)]));
+        visit(c.position, std::abs((low / (low - high) - c.at) *
+                                   plan_.unit()[static_cast<std::size_t>(c.axis)] *
+                                   c.normal[static_cast<std::size_t>(c.axis)]));
       } else {
-        visit(c.position, offset(c.from, c.axis, c.at, [&](const Coordinates<D>& v) { return value(v); }));
+        visit(c.position,
+              offset(c.from, c.axis, c.at, [&](const Coordinates<D>& v) { return value(v); }));
       }
     }
   }
@@ -38,19 +44,24 @@ class AdaptiveDistance {
   /// The same for those vertices of the decoded surface that lie where the source has none.
   template <class Visit>
   void fromDecoded(Visit visit) const {
-    forCrossedRows(decoded_.signs, decoded_.active, false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-      for (; crossed != 0; crossed &= crossed - 1) {
-        const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-        if ((field_.scalar(ends.even) > 0) != (field_.scalar(ends.odd) > 0)) continue;
-        const int axis = std::countr_zero(axes);
-        Coordinates<D> from = ends.even, to = ends.odd;
-        if (to[axis] < from[axis]) std::swap(from, to);
-        const double low = value(from), high = value(to), at = low != 0 && high != 0 ? low / (low - high) : 0.5;
-        Point p;
-        for (int a = 0; a < D; ++a) p[a] = from[a] + (a == axis ? at : 0);
-        visit(p, offset(from, axis, at, [&](const Coordinates<D>& v) { return field_.scalar(v); }));
-      }
-    });
+    forCrossedRows(
+        decoded_.signs, decoded_.active, false, [](std::size_t) {},
+        [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+          for (; crossed != 0; crossed &= crossed - 1) {
+            const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)),
+                                   axes);
+            if ((field_.scalar(ends.even) > 0) != (field_.scalar(ends.odd) > 0)) continue;
+            const int axis = std::countr_zero(axes);
+            Coordinates<D> from = ends.even, to = ends.odd;
+            if (to[axis] < from[axis]) std::swap(from, to);
+            const double low = value(from), high = value(to),
+                         at = low != 0 && high != 0 ? low / (low - high) : 0.5;
+            Point p;
+            for (int a = 0; a < D; ++a) p[a] = from[a] + (a == axis ? at : 0);
+            visit(p, offset(from, axis, at,
+                            [&](const Coordinates<D>& v) { return field_.scalar(v); }));
+          }
+        });
   }
 
  private:
@@ -61,7 +72,8 @@ class AdaptiveDistance {
     return scalars.knows(number) ? scalars.value[number] : 0;
   }
 
-  /// From a point of an edge to where a field is 0, by its value and gradient there; far where they are not known.
+  /// From a point of an edge to where a field is 0, by its value and gradient there; far where they
+  /// are not known.
   template <class Field>
   double offset(const Coordinates<D>& from, int axis, double at, Field field) const {
     constexpr double kFar = 4;
@@ -76,7 +88,8 @@ class AdaptiveDistance {
       slope /= plan_.unit()[static_cast<std::size_t>(a)];
       squares += slope * slope;
     }
-    return squares > 0 ? std::min(kFar, std::abs(low + at * (high - low)) / std::sqrt(squares)) : kFar;
+    return squares > 0 ? std::min(kFar, std::abs(low + at * (high - low)) / std::sqrt(squares))
+                       : kFar;
   }
 
   template <class Field>

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scalars/crossings.h"
 #include "encoder/core/source_distance.h"
+#include "scalars/crossings.h"
 
 namespace isostar {
 
 template <int D>
-AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header, const Signs<D>& finest) : field_(field), finestLevel_(header.finestLevel()) {
+AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header,
+                              const Signs<D>& finest)
+    : field_(field), finestLevel_(header.finestLevel()) {
   for (int a = 0; a < D; ++a) unit_[a] = edgeLength(header.placement, 1u << a);
   findCrossings(finest);
   nearest_.resize(static_cast<std::size_t>(finestLevel_) + 1);
@@ -23,28 +25,31 @@ AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header, c
 
 template <int D>
 void AdaptivePlan<D>::findCrossings(const Signs<D>& finest) {
-  forCrossedRows(finest, activeBricks(finest), false, [](std::size_t) {}, [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-    const int axis = std::countr_zero(axes);
-    for (; crossed != 0; crossed &= crossed - 1) {
-      const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-      Crossing c{ends.even, axis, 0, {}, {}, 0};
-      Coordinates<D> to = ends.odd;
-      if (to[axis] < c.from[axis]) std::swap(c.from, to);
-      const double low = std::abs(field_.scalar(c.from)), high = std::abs(field_.scalar(to));
-      c.at = low / (low + high);
-      for (int a = 0; a < D; ++a) {
-        c.position[a] = c.from[a] + (a == axis ? c.at : 0);
-        const auto along = static_cast<std::size_t>(a);
-        const double slope = a == axis ? field_.scalar(to) - field_.scalar(c.from)
-                                       : (1 - c.at) * field_.slope(c.from, along) + c.at * field_.slope(to, along);
-        c.normal[a] = slope / unit_[a];
-        c.gradient += c.normal[a] * c.normal[a];
-      }
-      c.gradient = std::sqrt(c.gradient);
-      for (double& n : c.normal) n /= c.gradient;
-      crossings_.push_back(c);
-    }
-  });
+  forCrossedRows(
+      finest, activeBricks(finest), false, [](std::size_t) {},
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        const int axis = std::countr_zero(axes);
+        for (; crossed != 0; crossed &= crossed - 1) {
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          Crossing c{ends.even, axis, 0, {}, {}, 0};
+          Coordinates<D> to = ends.odd;
+          if (to[axis] < c.from[axis]) std::swap(c.from, to);
+          const double low = std::abs(field_.scalar(c.from)), high = std::abs(field_.scalar(to));
+          c.at = low / (low + high);
+          for (int a = 0; a < D; ++a) {
+            c.position[a] = c.from[a] + (a == axis ? c.at : 0);
+            const auto along = static_cast<std::size_t>(a);
+            const double slope = a == axis ? field_.scalar(to) - field_.scalar(c.from)
+                                           : (1 - c.at) * field_.slope(c.from, along) +
+                                                 c.at * field_.slope(to, along);
+            c.normal[a] = slope / unit_[a];
+            c.gradient += c.normal[a] * c.normal[a];
+          }
+          c.gradient = std::sqrt(c.gradient);
+          for (double& n : c.normal) n /= c.gradient;
+          crossings_.push_back(c);
+        }
+      });
 }
 
 /// Each crossing is offered to the vertices within two steps.
@@ -79,7 +84,8 @@ void AdaptivePlan<D>::findNearest(int level) {
   }
 }
 
-/// From a vertex to the surface, in grid steps; as if the surface were plane near by. Infinite where none is near.
+/// From a vertex to the surface, in grid steps; as if the surface were plane near by. Infinite
+/// where none is near.
 template <int D>
 double AdaptivePlan<D>::distance(int level, const Coordinates<D>& v) const {
   constexpr double kPlane = 1.5;
@@ -119,9 +125,11 @@ bool AdaptivePlan<D>::splittable(int level, const Coordinates<D>& cell) const {
   return true;
 }
 
-/// At a point of a cell: the linear function of the simplex that holds it, and the size of its gradient by grid step.
+/// At a point of a cell: the linear function of the simplex that holds it, and the size of its
+/// gradient by grid step.
 template <int D>
-std::pair<double, double> AdaptivePlan<D>::linear(int level, const Coordinates<D>& cell, const Point& p) const {
+std::pair<double, double> AdaptivePlan<D>::linear(int level, const Coordinates<D>& cell,
+                                                  const Point& p) const {
   const auto grid = lattice(level);
   std::array<double, D> along;   // 0 at the even corner, 1 at the odd one
   std::array<double, D> length;  // of the cell
@@ -136,7 +144,8 @@ std::pair<double, double> AdaptivePlan<D>::linear(int level, const Coordinates<D
     v[a] = cell[a] + (lowIsEven ? 0 : 1);
     order[a] = a;
   }
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return along[a] != along[b] ? along[a] > along[b] : a < b; });
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return along[a] != along[b] ? along[a] > along[b] : a < b; });
   double before = scalar(level, v), value = before, squares = 0;
   for (const int a : order) {
     v[a] = 2 * cell[a] + 1 - v[a];
@@ -149,12 +158,14 @@ std::pair<double, double> AdaptivePlan<D>::linear(int level, const Coordinates<D
 }
 
 template <int D>
-bool AdaptivePlan<D>::surfaceFits(int level, const Coordinates<D>& cell, const Point& p, double distance) const {
+bool AdaptivePlan<D>::surfaceFits(int level, const Coordinates<D>& cell, const Point& p,
+                                  double distance) const {
   const auto [value, gradient] = linear(level, cell, p);
   return std::abs(value) <= distance * gradient;
 }
 
-/// Has the linear function the field's sign at all samples of the cell further from the surface than allowed?
+/// Has the linear function the field's sign at all samples of the cell further from the surface
+/// than allowed?
 template <int D>
 bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double allowed) const {
   const auto grid = lattice(level);
@@ -166,7 +177,9 @@ bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double all
   for (auto v = low;;) {
     Point p;
     for (int a = 0; a < D; ++a) p[a] = v[a];
-    if ((linear(level, cell, p).first > 0) != (field_.scalar(v) > 0) && !(distance(finestLevel_, v) <= allowed)) return false;
+    if ((linear(level, cell, p).first > 0) != (field_.scalar(v) > 0) &&
+        !(distance(finestLevel_, v) <= allowed))
+      return false;
     int a = 0;
     for (; a < D && ++v[a] > high[a]; ++a) v[a] = low[a];
     if (a == D) return true;
@@ -184,13 +197,16 @@ void AdaptivePlan<D>::keep(double allowed) {
     std::vector<Coordinates<D>> found;
     for (const Crossing& c : crossings_) {
       Coordinates<D> cell;
-      for (int a = 0; a < D; ++a) cell[a] = std::min(static_cast<int32_t>(c.position[a]) / grid.step, grid.last[a] - 1);
+      for (int a = 0; a < D; ++a)
+        cell[a] = std::min(static_cast<int32_t>(c.position[a]) / grid.step, grid.last[a] - 1);
       const std::size_t at = index(grid, cell);
       uint8_t& state = cells[at];
       if (state == kSplit) continue;
       if (state == kEmpty) {
         found.push_back(cell);
-        state = splittable(level, cell) && forbidden_[static_cast<std::size_t>(level)][at] == 0 ? kWhole : kSplit;
+        state = splittable(level, cell) && forbidden_[static_cast<std::size_t>(level)][at] == 0
+                    ? kWhole
+                    : kSplit;
       }
       if (state == kWhole && !surfaceFits(level, cell, c.position, allowed)) state = kSplit;
     }

@@ -1,4 +1,5 @@
-// What the encoder decides about an adaptive mesh (§4.3, §6): which cells stay whole, and the scalars of its vertices.
+// What the encoder decides about an adaptive mesh (§4.3, §6): which cells stay whole, and the
+// scalars of its vertices.
 #pragma once
 
 #include <vector>
@@ -7,9 +8,10 @@
 
 namespace isostar {
 
-/// Cells stay whole where the linear function on their simplices, from scalars chosen for it, keeps the source's surface
-/// within the distance allowed. Scalars of coarse vertices are chosen anew: the distance to the surface times the gradient
-/// where it is nearest, since a sample may be far from linear between there and here.
+/// Cells stay whole where the linear function on their simplices, from scalars chosen for it, keeps
+/// the source's surface within the distance allowed. Scalars of coarse vertices are chosen anew:
+/// the distance to the surface times the gradient where it is nearest, since a sample may be far
+/// from linear between there and here.
 template <int D>
 class AdaptivePlan {
  public:
@@ -19,10 +21,10 @@ class AdaptivePlan {
   struct Crossing {
     Coordinates<D> from;  // the edge's lower end
     int axis;
-    double at;             // 0 … 1 along the edge
-    Point position;        // samples
-    Point normal;          // unit, in steps along the smallest spacing
-    double gradient;       // of the field, by such a step
+    double at;        // 0 … 1 along the edge
+    Point position;   // samples
+    Point normal;     // unit, in steps along the smallest spacing
+    double gradient;  // of the field, by such a step
   };
 
   AdaptivePlan(const GridField<D>& field, const Header& header, const Signs<D>& finest);
@@ -30,17 +32,21 @@ class AdaptivePlan {
   [[nodiscard]] const std::vector<Crossing>& crossings() const { return crossings_; }
   [[nodiscard]] const Point& unit() const { return unit_; }
   [[nodiscard]] int finestLevel() const { return finestLevel_; }
-  [[nodiscard]] Lattice<D> lattice(int level) const { return Lattice<D>(field_.last(), int32_t{1} << (finestLevel_ - level)); }
+  [[nodiscard]] Lattice<D> lattice(int level) const {
+    return Lattice<D>(field_.last(), int32_t{1} << (finestLevel_ - level));
+  }
 
-  /// The scalar of a vertex of an octave, in the field's units; positive exactly where the field is.
+  /// The scalar of a vertex of an octave, in the field's units; positive exactly where the field
+  /// is.
   [[nodiscard]] double scalar(int level, const Coordinates<D>& v) const;
 
   /// Finds the cells that may stay whole for a distance in grid steps.
   void keep(double distance);
   /// On the lattice of `level`: the centres of the next coarser octave's cells that stay whole.
   [[nodiscard]] Signs<D> centres(int level) const;
-  /// Has the largest whole cells around a point (in samples), as far as `reach` of their size, split. False where there
-  /// are none. A whole cell's absent vertices reach half a cell into its neighbours, and by those further.
+  /// Has the largest whole cells around a point (in samples), as far as `reach` of their size,
+  /// split. False where there are none. A whole cell's absent vertices reach half a cell into its
+  /// neighbours, and by those further.
   bool forbid(const Point& p, double reach);
 
  private:
@@ -50,16 +56,19 @@ class AdaptivePlan {
 
   [[nodiscard]] static std::size_t index(const Lattice<D>& lattice, const Coordinates<D>& v) {
     std::size_t at = 0;
-    for (int a = D - 1; a >= 0; --a) at = at * static_cast<std::size_t>(lattice.last[a] + 1) + static_cast<std::size_t>(v[a]);
+    for (int a = D - 1; a >= 0; --a)
+      at = at * static_cast<std::size_t>(lattice.last[a] + 1) + static_cast<std::size_t>(v[a]);
     return at;
   }
   void findCrossings(const Signs<D>& finest);
   void findNearest(int level);
   [[nodiscard]] double distance(int level, const Coordinates<D>& v) const;
   [[nodiscard]] bool splittable(int level, const Coordinates<D>& cell) const;
-  [[nodiscard]] bool surfaceFits(int level, const Coordinates<D>& cell, const Point& p, double distance) const;
+  [[nodiscard]] bool surfaceFits(int level, const Coordinates<D>& cell, const Point& p,
+                                 double distance) const;
   [[nodiscard]] bool signsFit(int level, const Coordinates<D>& cell, double distance) const;
-  [[nodiscard]] std::pair<double, double> linear(int level, const Coordinates<D>& cell, const Point& p) const;
+  [[nodiscard]] std::pair<double, double> linear(int level, const Coordinates<D>& cell,
+                                                 const Point& p) const;
 
   const GridField<D>& field_;
   int finestLevel_;

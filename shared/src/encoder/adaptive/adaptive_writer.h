@@ -1,10 +1,10 @@
 // Tells the layers of an adaptive stream.
 #pragma once
 
-#include "encoder/adaptive/adaptive_distance.h"
 #include "coding/adaptive/adaptive_field.h"
-#include "encoder/core/layer_bytes.h"
+#include "encoder/adaptive/adaptive_distance.h"
 #include "encoder/adaptive/planned_field.h"
+#include "encoder/core/layer_bytes.h"
 #include "encoder/core/source_distance.h"
 
 namespace isostar {
@@ -13,19 +13,30 @@ namespace isostar {
 template <int D>
 class AdaptiveWriter {
  public:
-  AdaptiveWriter(const AdaptivePlan<D>& plan, const GridField<D>& field, const Header& header, const SourceDistance<D>& distance,
-                 const std::vector<Signs<D>>& actual, bool states)
-      : plan_(plan), field_(field), header_(header), distance_(distance), actual_(actual), states_(states), planned_(plan, header), decoded_(header.base<D>()) {}
+  AdaptiveWriter(const AdaptivePlan<D>& plan, const GridField<D>& field, const Header& header,
+                 const SourceDistance<D>& distance, const std::vector<Signs<D>>& actual,
+                 bool states)
+      : plan_(plan),
+        field_(field),
+        header_(header),
+        distance_(distance),
+        actual_(actual),
+        states_(states),
+        planned_(plan, header),
+        decoded_(header.base<D>()) {}
 
   void signs() {
     for (int level = 0; level <= plan_.finestLevel(); ++level) {
       const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
       const Signs<D> centres = level == 0 ? Signs<D>() : plan_.centres(level);
-      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual, [&](auto& exchange) {
-        exchange.keep(centres);
-        if (level == 0) decoded_.mesh.base(exchange);
-        else decoded_.mesh.refine(exchange);
-      });
+      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual,
+           [&](auto& exchange) {
+             exchange.keep(centres);
+             if (level == 0)
+               decoded_.mesh.base(exchange);
+             else
+               decoded_.mesh.refine(exchange);
+           });
     }
   }
 
@@ -35,13 +46,24 @@ class AdaptiveWriter {
       GeometryPass<D> pass{LayerKind::Exponents, Members::AxisEnds, 3, {}, 0, false};
       const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
       planned_.enter(level, actual);
-      code({LayerKind::Exponents, level, 0, 0, 0}, actual, [&](auto& exchange) { decoded_.codeExponents(exchange, pass.depth, header_.polygonizer); }, &pass);
+      code(
+          {LayerKind::Exponents, level, 0, 0, 0}, actual,
+          [&](auto& exchange) {
+            decoded_.codeExponents(exchange, pass.depth, header_.polygonizer);
+          },
+          &pass);
       pass = {LayerKind::Magnitudes, Members::AxisEnds, 0, {}, 30, false};
       for (unsigned axes = 1; axes < pass.allowed.size(); ++axes) {
-        const double part = distance / (edgeLength(header_.placement, axes) * decoded_.at(level).signs.lattice().step);
+        const double part = distance / (edgeLength(header_.placement, axes) *
+                                        decoded_.at(level).signs.lattice().step);
         pass.allowed[axes] = static_cast<uint32_t>(std::clamp(65536 * part, 1.0, 65536.0));
       }
-      code({LayerKind::Magnitudes, level, 0, 0, 0}, actual, [&](auto& exchange) { decoded_.codeMagnitudes(exchange, pass.magnitudePass(header_.fitted)); }, &pass);
+      code(
+          {LayerKind::Magnitudes, level, 0, 0, 0}, actual,
+          [&](auto& exchange) {
+            decoded_.codeMagnitudes(exchange, pass.magnitudePass(header_.fitted));
+          },
+          &pass);
     }
   }
 
@@ -50,21 +72,24 @@ class AdaptiveWriter {
 
  private:
   template <class Code>
-  void code(LayerHead head, const Signs<D>& actual, Code what, const GeometryPass<D>* pass = nullptr) {
+  void code(LayerHead head, const Signs<D>& actual, Code what,
+            const GeometryPass<D>* pass = nullptr) {
     layers_.add(head, pass, actual, planned_, what, [&] { return states_ ? error() : 0; });
   }
 
   /// RMS distance of what a decoder shows now.
   [[nodiscard]] double error() const {
-    if (decoded_.mesh.level() < plan_.finestLevel()) return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.filter});
+    if (decoded_.mesh.level() < plan_.finestLevel())
+      return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.filter});
     constexpr std::size_t kSamples = 4096;
     const auto shown = *decoded_.shown(decoded_.mesh.level());
     double sum = 0;
     uint64_t count = 0;
-    AdaptiveDistance<D>(plan_, field_, shown).fromSource(plan_.crossings().size() / kSamples + 1, [&](const auto&, double d) {
-      sum += d * d;
-      ++count;
-    });
+    AdaptiveDistance<D>(plan_, field_, shown)
+        .fromSource(plan_.crossings().size() / kSamples + 1, [&](const auto&, double d) {
+          sum += d * d;
+          ++count;
+        });
     return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
   }
 
@@ -73,7 +98,7 @@ class AdaptiveWriter {
   const Header& header_;
   const SourceDistance<D>& distance_;
   const std::vector<Signs<D>>& actual_;  // by octave
-  const bool states_;                   // errors in heads; a try has no need of them
+  const bool states_;                    // errors in heads; a try has no need of them
   PlannedField<D> planned_;
   AdaptiveField<D> decoded_;
   LayerBytes layers_;

@@ -22,17 +22,22 @@ void quantize(const AdaptivePlan<D>& plan, Header& header) {
 }  // namespace
 
 template <int D>
-bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, const Signs<D>& finest, Header& header, std::vector<std::byte>& layers) {
+bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, const Signs<D>& finest,
+                    Header& header, std::vector<std::byte>& layers) {
   constexpr int kTries = 14;
-  constexpr double kFirstOrder = 1.15;  // distances are judged to first order: exact ones were up to 1.13 times as large
+  constexpr double kFirstOrder =
+      1.15;  // distances are judged to first order: exact ones were up to 1.13 times as large
   constexpr uint64_t kHopeless = uint64_t{1} << 32;
-  constexpr double kFlat = 0.9, kQuantized = 1.0;  // of the bound: what is allowed is the worst, and both seldom meet
+  constexpr double kFlat = 0.9,
+                   kQuantized =
+                       1.0;  // of the bound: what is allowed is the worst, and both seldom meet
   AdaptivePlan<D> plan(field, header, finest);
   quantize(plan, header);
   const SourceDistance<D> distance(field, header, finest, activeBricks(finest));
   std::vector<Signs<D>> actual(static_cast<std::size_t>(plan.finestLevel()) + 1);
   actual.back() = finest;
-  for (std::size_t level = actual.size() - 1; level-- > 0;) actual[level] = coarsened(actual[level + 1]);
+  for (std::size_t level = actual.size() - 1; level-- > 0;)
+    actual[level] = coarsened(actual[level + 1]);
   double quantized = kQuantized * header.maxError;
   for (int i = 0;; ++i) {
     plan.keep(kFlat * header.maxError);
@@ -43,7 +48,8 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
     if (options.progress) options.progress((i + 1.0) / (kTries + 1));
     uint64_t beyond = 0;
     const auto judge = [&](const auto& p, double d) {
-      if (d * kFirstOrder > header.maxError) beyond += plan.forbid(p, std::min(0.5 + 0.5 * i, 1.5)) ? 1 : kHopeless;
+      if (d * kFirstOrder > header.maxError)
+        beyond += plan.forbid(p, std::min(0.5 + 0.5 * i, 1.5)) ? 1 : kHopeless;
     };
     const AdaptiveDistance<D> measured(plan, field, decoded);
     measured.fromSource(1, judge);
@@ -62,7 +68,9 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
   return true;
 }
 
-template bool encodeAdaptive<2>(const GridField<2>&, const EncodeOptions&, const Signs<2>&, Header&, std::vector<std::byte>&);
-template bool encodeAdaptive<3>(const GridField<3>&, const EncodeOptions&, const Signs<3>&, Header&, std::vector<std::byte>&);
+template bool encodeAdaptive<2>(const GridField<2>&, const EncodeOptions&, const Signs<2>&, Header&,
+                                std::vector<std::byte>&);
+template bool encodeAdaptive<3>(const GridField<3>&, const EncodeOptions&, const Signs<3>&, Header&,
+                                std::vector<std::byte>&);
 
 }  // namespace isostar

@@ -18,7 +18,8 @@ class PlannedField {
     signs_ = &signs;
   }
   [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
-    return steps(vertexOf<D>(signs_->table().brick(brickIndex), r * kBrickSide + static_cast<std::size_t>(x)));
+    return steps(vertexOf<D>(signs_->table().brick(brickIndex),
+                             r * kBrickSide + static_cast<std::size_t>(x)));
   }
   /// The mean difference along crossing axis edges, 4 log2 of quanta.
   [[nodiscard]] int gradient(std::size_t brickIndex) const {
@@ -35,13 +36,16 @@ class PlannedField {
         ++count;
       }
     }
-    return count == 0 ? 0 : std::clamp(static_cast<int>(std::lround(4 * std::log2(sum / count))), 0, 4 * 31);
+    return count == 0
+               ? 0
+               : std::clamp(static_cast<int>(std::lround(4 * std::log2(sum / count))), 0, 4 * 31);
   }
   [[nodiscard]] bool selected(std::size_t) const { return true; }
 
  private:
   [[nodiscard]] uint32_t steps(const Coordinates<D>& v) const {
-    return static_cast<uint32_t>(std::min(std::abs(plan_.scalar(level_, v)) / header_.quantizationStep, double((1 << 29) - 1)));
+    return static_cast<uint32_t>(std::min(
+        std::abs(plan_.scalar(level_, v)) / header_.quantizationStep, double((1 << 29) - 1)));
   }
 
   const AdaptivePlan<D>& plan_;

@@ -6,13 +6,14 @@
 #include <cstring>
 #include <limits>
 
-#include "util/simd.h"
 #include "grid/tube.h"
+#include "util/simd.h"
 
 namespace isostar {
 namespace {
 
-/// Are samples whole numbers of a step, each on the right side of the isovalue also as such a number?
+/// Are samples whole numbers of a step, each on the right side of the isovalue also as such a
+/// number?
 class WholeSamples {
  public:
   /// `perStep`: so many steps are 1.
@@ -20,7 +21,8 @@ class WholeSamples {
   void see(double sample) {
     if (!all_) return;
     const double n = std::round(sample * perStep_);
-    all_ = static_cast<float>(n / perStep_) == sample && (n > isovalue_ * perStep_) == (sample > isovalue_);
+    all_ = static_cast<float>(n / perStep_) == sample &&
+           (n > isovalue_ * perStep_) == (sample > isovalue_);
   }
   [[nodiscard]] bool all() const { return all_; }
 
@@ -42,7 +44,8 @@ unsigned above(const float* samples, float threshold) {
   std::array<Four, 2> four;
   std::memcpy(&four, samples, sizeof four);
   const Four least = Four{} + threshold;
-  const Lanes bits = ((four[0] > least) & Lanes{1, 2, 4, 8}) | ((four[1] > least) & Lanes{16, 32, 64, 128});
+  const Lanes bits =
+      ((four[0] > least) & Lanes{1, 2, 4, 8}) | ((four[1] > least) & Lanes{16, 32, 64, 128});
   return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
 }
 
@@ -70,15 +73,18 @@ Signs<D> GridField<D>::signs() const {
   if (std::ranges::any_of(last_, [](int32_t last) { return last == 0; })) return signs;
   const float threshold = floorOf(isovalue_);
   const auto across = static_cast<std::size_t>(table_.count(0));
-  std::vector<Brick<D>> bricks(across);  // side by side on axis 0, so that samples are read in their order
+  std::vector<Brick<D>> bricks(
+      across);  // side by side on axis 0, so that samples are read in their order
   for (std::size_t brickIndex = 0; brickIndex < table_.total(); brickIndex += across) {
     for (std::size_t r = 0; r < bricks[0].rows.size(); ++r) {
       // Beyond the lattice the last plane goes on, so that a uniform brick at the box's end is one.
       Coordinates<D> v = vertex(table_.brick(brickIndex), r);
       for (int a = 1; a < D; ++a) v[a] = std::min(v[a], last_[a]);
       const float* row = &samples_[at(v)];
-      for (std::size_t b = 0; b + 1 < across; ++b) bricks[b].rows[r] = static_cast<uint8_t>(above(row + b * kBrickSide, threshold));
-      const std::size_t first = (across - 1) * kBrickSide, count = static_cast<std::size_t>(last_[0]) + 1 - first;
+      for (std::size_t b = 0; b + 1 < across; ++b)
+        bricks[b].rows[r] = static_cast<uint8_t>(above(row + b * kBrickSide, threshold));
+      const std::size_t first = (across - 1) * kBrickSide,
+                        count = static_cast<std::size_t>(last_[0]) + 1 - first;
       std::array<float, kBrickSide> end;
       end.fill(row[last_[0]]);
       std::copy_n(row + first, count, end.begin());
@@ -90,7 +96,8 @@ Signs<D> GridField<D>::signs() const {
 }
 
 template <int D>
-Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
+Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs,
+                                  const std::vector<uint8_t>& active) const {
   double largest = 0;
   WholeSamples ones(1, isovalue_), bytes(255, isovalue_);
   Tube<D> tube;
@@ -117,7 +124,8 @@ void Precision::fix(Header& header) const {
 }
 
 template <int D>
-int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::size_t brickIndex) const {
+int GridField<D>::gradient(const Header& header, const Signs<D>& signs,
+                           std::size_t brickIndex) const {
   const auto brick = table_.brick(brickIndex);
   Window<D> window;
   window.load(signs, brick);
@@ -127,7 +135,8 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::siz
     from[a] = brick[a] == 0 ? 0 : -1;
     to[a] = std::min(kBrickSide - 1, last_[a] - brick[a] * kBrickSide);
   }
-  const uint32_t vertices = (2u << (to[0] + Window<D>::kHalo)) - (1u << (from[0] + Window<D>::kHalo));
+  const uint32_t vertices =
+      (2u << (to[0] + Window<D>::kHalo)) - (1u << (from[0] + Window<D>::kHalo));
   const bool atEnd = brick[0] * kBrickSide + to[0] == last_[0];
   const uint32_t edges = atEnd ? vertices & vertices >> 1 : vertices;  // along axis 0
   std::array<float, D * power(kBrickSide + 1, D)> differences;
@@ -135,12 +144,15 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::siz
   for (auto v = from;;) {
     const int row = Window<D>::row(v);
     Coordinates<D> sample;
-    for (int a = 0; a < D; ++a) sample[a] = brick[a] * kBrickSide + (a == 0 ? -Window<D>::kHalo : v[a]);
+    for (int a = 0; a < D; ++a)
+      sample[a] = brick[a] * kBrickSide + (a == 0 ? -Window<D>::kHalo : v[a]);
     const auto first = static_cast<std::ptrdiff_t>(at(sample));
     for (int a = 0; a < D; ++a) {
       if (a > 0 && sample[a] == last_[a]) continue;
-      const uint32_t here = window.rows[row], next = a == 0 ? here >> 1 : window.rows[row + Window<D>::rowStride(a)];
-      for (uint32_t crossed = (here ^ next) & (a == 0 ? edges : vertices); crossed != 0; crossed &= crossed - 1) {
+      const uint32_t here = window.rows[row],
+                     next = a == 0 ? here >> 1 : window.rows[row + Window<D>::rowStride(a)];
+      for (uint32_t crossed = (here ^ next) & (a == 0 ? edges : vertices); crossed != 0;
+           crossed &= crossed - 1) {
         const auto low = static_cast<std::size_t>(first + std::countr_zero(crossed));
         differences[count++] = std::abs(samples_[low] - samples_[low + stride_[a]]);
       }
@@ -150,8 +162,12 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs, std::siz
     if (a == D) break;
   }
   if (count == 0) return 0;
-  std::nth_element(differences.begin(), differences.begin() + count / 2, differences.begin() + count);
-  return static_cast<int>(std::clamp(std::lround(4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantizationStep))), 0L, 120L));
+  std::nth_element(differences.begin(), differences.begin() + count / 2,
+                   differences.begin() + count);
+  return static_cast<int>(std::clamp(
+      std::lround(
+          4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantizationStep))),
+      0L, 120L));
 }
 
 template bool sensible<2>(std::span<const float>, const Coordinates<2>&, double);

@@ -10,10 +10,11 @@ namespace isostar {
 /// Both writers, of uniform and of adaptive streams, make them so.
 class LayerBytes {
  public:
-  /// Appends what tell(exchange) tells of the truth, behind the fields of the pass if there is one; error() is asked afterwards:
-  /// the RMS distance of what a decoder shows then.
+  /// Appends what tell(exchange) tells of the truth, behind the fields of the pass if there is one;
+  /// error() is asked afterwards: the RMS distance of what a decoder shows then.
   template <int D, class Field, class Code, class Error>
-  void add(LayerHead head, const GeometryPass<D>* pass, const Signs<D>& actual, const Field& field, Code code, Error error) {
+  void add(LayerHead head, const GeometryPass<D>* pass, const Signs<D>& actual, const Field& field,
+           Code code, Error error) {
     std::vector<std::byte> layer;
     if (pass != nullptr) {
       ByteWriter fields(layer);

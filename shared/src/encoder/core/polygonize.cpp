@@ -1,22 +1,25 @@
-#include "surface/contour.h"
 #include "encoder/core/field.h"
-#include "isostar/isostar.h"
 #include "grid/refined_signs.h"
+#include "grid/tube.h"
+#include "isostar/isostar.h"
+#include "surface/contour.h"
 #include "surface/polygonizer.h"
 #include "surface/time_slice.h"
-#include "grid/tube.h"
 
 namespace isostar {
 namespace {
 
 constexpr Limits kUnlimited{UINT64_MAX, UINT64_MAX, UINT64_MAX};  // the caller's own samples
 
-/// Calls make(surface) with the exact scalars of a source, and its domain's distances as a lossless stream has them.
+/// Calls make(surface) with the exact scalars of a source, and its domain's distances as a lossless
+/// stream has them.
 template <int D, class Make>
-Error withSource(std::span<const float> samples, std::span<const float> domain, Header header, double isovalue, Polygonizer polygonizer, Make make) {
+Error withSource(std::span<const float> samples, std::span<const float> domain, Header header,
+                 double isovalue, Polygonizer polygonizer, Make make) {
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
-  if (!invertible(header.placement) || !sensible<D>(samples, size, isovalue)) return Error::BadArgument;
+  if (!invertible(header.placement) || !sensible<D>(samples, size, isovalue))
+    return Error::BadArgument;
   if (!domain.empty() && !sensible<D>(domain, size, 0)) return Error::BadArgument;
   const GridField<D> field(samples, size, isovalue);
   const auto signs = field.signs();
@@ -38,32 +41,41 @@ Error withSource(std::span<const float> samples, std::span<const float> domain, 
       tube.forEach([&](int row, std::size_t r, int x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         brick.set(v, tube.positive(row, x), field.magnitude(header, brickIndex, r, x), 0);
-        if (!domain.empty()) distances.writable(brickIndex).value[v] = 2 * domainSteps(end, header, brickIndex, r, x) + 1;
+        if (!domain.empty())
+          distances.writable(brickIndex).value[v] =
+              2 * domainSteps(end, header, brickIndex, r, x) + 1;
       });
     }
   }
-  return make(Surface<D>{signs, scalars, 2 * header.positiveOffset - 1, 2 * header.negativeOffset - 1, header.placement,
+  return make(Surface<D>{signs, scalars, 2 * header.positiveOffset - 1,
+                         2 * header.negativeOffset - 1, header.placement,
                          domain.empty() ? nullptr : &distances});
 }
 
 }  // namespace
 
 Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
-  return withSource<3>(volume.samples, volume.domain, headerOf(volume), isovalue, options.polygonizer,
-                       [&](const Surface<3>& surface) { return polygonize(surface, options, kUnlimited, out); });
+  return withSource<3>(
+      volume.samples, volume.domain, headerOf(volume), isovalue, options.polygonizer,
+      [&](const Surface<3>& surface) { return polygonize(surface, options, kUnlimited, out); });
 }
 
 Error polygonize(const Image& image, double isovalue, const MeshOptions& options, Contours& out) {
-  return withSource<2>(image.samples, {}, headerOf(image), isovalue, options.polygonizer,
-                       [&](const Surface<2>& surface) { return polygonize(surface, options, kUnlimited, out); });
+  return withSource<2>(
+      image.samples, {}, headerOf(image), isovalue, options.polygonizer,
+      [&](const Surface<2>& surface) { return polygonize(surface, options, kUnlimited, out); });
 }
 
 Error polygonize(const Sequence& sequence, double isovalue, const MeshOptions& options, Mesh& out) {
   if (!(options.time >= 0 && options.time <= sequence.frames - 1)) return Error::BadArgument;
-  return withSource<4>(sequence.samples, {}, headerOf(sequence), isovalue, options.polygonizer, [&](const Surface<4>& surface) {
-    const TimeSlice slice = sliceAt(surface, options.time);
-    return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset, slice.negativeOffset, surface.placement}, options, kUnlimited, out);
-  });
+  return withSource<4>(sequence.samples, {}, headerOf(sequence), isovalue, options.polygonizer,
+                       [&](const Surface<4>& surface) {
+                         const TimeSlice slice = sliceAt(surface, options.time);
+                         return polygonize(
+                             Surface<3>{slice.signs, slice.scalars, slice.positiveOffset,
+                                        slice.negativeOffset, surface.placement},
+                             options, kUnlimited, out);
+                       });
 }
 
 }  // namespace isostar

@@ -13,14 +13,19 @@ template <int D>
 class Source {
  public:
   Source(std::span<const float> samples, const Coordinates<D>& size, double isovalue)
-      : isovalue_(isovalue), field_(samples, size, isovalue), signs_(field_.signs()), active_(activeBricks(signs_)) {}
+      : isovalue_(isovalue),
+        field_(samples, size, isovalue),
+        signs_(field_.signs()),
+        active_(activeBricks(signs_)) {}
   Source(const Source&) = delete;  // its parts know each other
 
   [[nodiscard]] double isovalue() const { return isovalue_; }
   [[nodiscard]] const GridField<D>& field() const { return field_; }
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   [[nodiscard]] uint64_t crossings() const { return countCrossings(signs_, active_); }
-  [[nodiscard]] Precision precision(Polygonizer polygonizer) const { return field_.precision(polygonizer, signs_, active_); }
+  [[nodiscard]] Precision precision(Polygonizer polygonizer) const {
+    return field_.precision(polygonizer, signs_, active_);
+  }
   /// To be called once, when the stream's quantum is fixed. `domain`: of a trimmed stream.
   void measureIn(const Header& stream, const GridField<D>* domain) {
     header_ = stream.at(isovalue_);

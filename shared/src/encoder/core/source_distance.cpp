@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimate/completion.h"
 #include "encoder/core/vertex_cloud.h"
+#include "estimate/completion.h"
 
 namespace isostar {
 namespace {
@@ -18,7 +18,8 @@ double dot(const std::array<double, D>& a, const std::array<double, D>& b) {
 
 /// Of the marked bricks, at most so many, evenly spread.
 std::vector<uint8_t> someOf(const std::vector<uint8_t>& marked, std::size_t most) {
-  const std::size_t stride = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) / most + 1;
+  const std::size_t stride =
+      static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) / most + 1;
   std::vector<uint8_t> some(marked.size(), 0);
   std::size_t number = 0;
   for (std::size_t brickIndex = 0; brickIndex < marked.size(); ++brickIndex) {
@@ -39,7 +40,8 @@ double edgeLength(const Placement& placement, unsigned axes) {
 }
 
 template <int D>
-SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active)
+SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& header,
+                                  const Signs<D>& signs, const std::vector<uint8_t>& active)
     : field_(field), header_(header), near_(active.size(), 0) {
   constexpr std::size_t kBricks = 96;
   constexpr uint64_t kSamples = 1024;
@@ -55,9 +57,13 @@ SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& heade
           if (number++ % stride != 0) continue;
           const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
           const auto axis = static_cast<std::size_t>(std::countr_zero(axes));
-          Sample sample{brickIndex, ends.evenAt, ends.oddAt, field.crossing(ends.even, ends.odd, axis), 0, {}, normal(ends)};
+          Sample sample{
+              brickIndex, ends.evenAt, ends.oddAt,  field.crossing(ends.even, ends.odd, axis),
+              0,          {},          normal(ends)};
           sample.perEdge = unit_[axis] * sample.normal[axis];
-          for (std::size_t a = 0; a < D; ++a) sample.position[a] = (ends.even[a] + sample.crossing * (ends.odd[a] - ends.even[a])) * unit_[a];
+          for (std::size_t a = 0; a < D; ++a)
+            sample.position[a] =
+                (ends.even[a] + sample.crossing * (ends.odd[a] - ends.even[a])) * unit_[a];
           samples_.push_back(sample);
           for (const auto& end : {ends.even, ends.odd}) near_[signs.table().brickIndexOf(end)] = 1;
         }
@@ -68,7 +74,8 @@ SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& heade
 template <int D>
 typename SourceDistance<D>::Point SourceDistance<D>::normal(const EdgeEnds<D>& ends) const {
   Point n;
-  for (std::size_t a = 0; a < D; ++a) n[a] = (field_.slope(ends.even, a) + field_.slope(ends.odd, a)) / unit_[a];
+  for (std::size_t a = 0; a < D; ++a)
+    n[a] = (field_.slope(ends.even, a) + field_.slope(ends.odd, a)) / unit_[a];
   const double size = std::sqrt(dot(n, n));
   for (double& v : n) v = size > 0 ? v / size : 0;
   return n;
@@ -77,20 +84,24 @@ typename SourceDistance<D>::Point SourceDistance<D>::normal(const EdgeEnds<D>& e
 /// What is known of a scalar, without its sign, in half quanta; `unit`: of the value.
 template <int D>
 double SourceDistance<D>::size(int32_t value, double unit) const {
-  return value >= 0 ? value * unit + 2 * header_.positiveOffset - 1 : 2 * header_.negativeOffset - 1 - value * unit;
+  return value >= 0 ? value * unit + 2 * header_.positiveOffset - 1
+                    : 2 * header_.negativeOffset - 1 - value * unit;
 }
 
 /// Where the surface told so far crosses an edge, from its even end (0) to its odd one (1).
 template <int D>
-double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& sample, double unit) const {
-  const double even = size(scalars.value[static_cast<std::size_t>(sample.evenAt)], unit), odd = size(scalars.value[static_cast<std::size_t>(sample.oddAt)], unit);
+double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& sample,
+                                  double unit) const {
+  const double even = size(scalars.value[static_cast<std::size_t>(sample.evenAt)], unit),
+               odd = size(scalars.value[static_cast<std::size_t>(sample.oddAt)], unit);
   return even + odd > 0 ? even / (even + odd) : 0.5;
 }
 
 template <int D>
 double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) const {
   constexpr std::size_t kSamples = 128;  // each searches for the nearest vertex
-  constexpr double kBeside = 0.75;       // steps of the octave: so far beside a vertex the surface goes on as a plane
+  constexpr double kBeside =
+      0.75;  // steps of the octave: so far beside a vertex the surface goes on as a plane
   if (samples_.empty()) return 0;
   const VertexCloud<D> cloud(coarse, unit_, hints);
   if (cloud.empty()) {
@@ -110,7 +121,8 @@ double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) con
 }
 
 template <int D>
-double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars, const Hints<D>& hints, int finer) const {
+double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
+                              const Hints<D>& hints, int finer) const {
   const auto& table = finest.table();
   const bool coded = scalars.tableSize() != 0;
   Scalars<D> estimated = coded ? Scalars<D>() : Scalars<D>(table.total());
@@ -120,7 +132,8 @@ double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
   const double unit = std::ldexp(1, -finer);
   double sum = 0;
   for (const Sample& sample : samples_) {
-    if (sample.brickIndex != loaded) window.load(coded ? scalars : estimated, table, table.brick(sample.brickIndex));
+    if (sample.brickIndex != loaded)
+      window.load(coded ? scalars : estimated, table, table.brick(sample.brickIndex));
     loaded = sample.brickIndex;
     const double distance = (decoded(window, sample, unit) - sample.crossing) * sample.perEdge;
     sum += distance * distance;
@@ -129,12 +142,15 @@ double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
 }
 
 template <int D>
-std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs, const Scalars<D>& scalars, const std::vector<uint8_t>& active) const {
+std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs,
+                                               const Scalars<D>& scalars,
+                                               const std::vector<uint8_t>& active) const {
   const auto& table = signs.table();
   std::vector<uint8_t> brickIndices(active.size(), 0);
   bool any = false;
   std::array<double, 1u << D> lengths{};
-  for (unsigned axes = 1; axes < lengths.size(); ++axes) lengths[axes] = edgeLength(header_.placement, axes);
+  for (unsigned axes = 1; axes < lengths.size(); ++axes)
+    lengths[axes] = edgeLength(header_.placement, axes);
   ScalarWindow<D> window;
   forCrossedRows(
       signs, active, header_.polygonizer == Polygonizer::Tetrahedra,
@@ -145,9 +161,12 @@ std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& sig
           const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
           const double even = size(window.value[static_cast<std::size_t>(ends.evenAt)]);
           const double odd = size(window.value[static_cast<std::size_t>(ends.oddAt)]);
-          const double trueEven = std::abs(field_.scalar(ends.even)), trueOdd = std::abs(field_.scalar(ends.odd));
+          const double trueEven = std::abs(field_.scalar(ends.even)),
+                       trueOdd = std::abs(field_.scalar(ends.odd));
           // The difference of even / (even + odd) and its truth, without divisions.
-          if (std::abs(even * trueOdd - odd * trueEven) <= allowed * (even + odd) * (trueEven + trueOdd)) continue;
+          if (std::abs(even * trueOdd - odd * trueEven) <=
+              allowed * (even + odd) * (trueEven + trueOdd))
+            continue;
           for (const auto& end : {ends.even, ends.odd}) brickIndices[table.brickIndexOf(end)] = 1;
           any = true;
         }

@@ -14,8 +14,10 @@ class VertexCloud {
  public:
   using Point = std::array<double, D>;
 
-  /// Of the surface that `cubes` makes of an octave's signs alone, as they are hinted to place it. `unit`: the distance between samples by axis, at least 1.
-  VertexCloud(const Signs<D>& signs, const Point& unit, const Hints<D>& hints) : lattice_(signs.lattice()), table_(signs.table()), first_(table_.total() + 1), unit_(unit) {
+  /// Of the surface that `cubes` makes of an octave's signs alone, as they are hinted to place it.
+  /// `unit`: the distance between samples by axis, at least 1.
+  VertexCloud(const Signs<D>& signs, const Point& unit, const Hints<D>& hints)
+      : lattice_(signs.lattice()), table_(signs.table()), first_(table_.total() + 1), unit_(unit) {
     const auto active = activeBricks(signs);
     Scalars<D> scalars(active.size());
     estimateMissing(signs, active, Members::AxisEnds, 0, scalars, hints);
@@ -32,8 +34,10 @@ class VertexCloud {
         },
         [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
           for (; crossed != 0; crossed &= crossed - 1) {
-            const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-            const double even = std::abs(window.value[static_cast<std::size_t>(ends.evenAt)]), odd = std::abs(window.value[static_cast<std::size_t>(ends.oddAt)]);
+            const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)),
+                                   axes);
+            const double even = std::abs(window.value[static_cast<std::size_t>(ends.evenAt)]),
+                         odd = std::abs(window.value[static_cast<std::size_t>(ends.oddAt)]);
             vertices_.push_back(between(ends, even / (even + odd)));
           }
         });
@@ -45,10 +49,14 @@ class VertexCloud {
   /// From a point to the nearest vertex; there is one. Lengths as `unit` counts them.
   [[nodiscard]] Point toNearest(const Point& p) const {
     Coordinates<D> centre;
-    for (int a = 0; a < D; ++a) centre[a] = std::clamp(static_cast<int32_t>(p[a] / side(a)), 0, table_.count(a) - 1);
+    for (int a = 0; a < D; ++a)
+      centre[a] = std::clamp(static_cast<int32_t>(p[a] / side(a)), 0, table_.count(a) - 1);
     Nearest nearest;
     // A brick of ring n + 1 is n bricks away at the least.
-    for (int32_t ring = 0; nearest.squared > square(std::max(0, ring - 1) * kBrickSide * double(lattice_.step)); ++ring) scanRing(p, centre, ring, nearest);
+    for (int32_t ring = 0;
+         nearest.squared > square(std::max(0, ring - 1) * kBrickSide * double(lattice_.step));
+         ++ring)
+      scanRing(p, centre, ring, nearest);
     return nearest.offset;
   }
 
@@ -71,7 +79,8 @@ class VertexCloud {
   }
 
   /// The bricks whose largest distance to the centre on an axis is `ring`.
-  void scanRing(const Point& p, const Coordinates<D>& centre, int32_t ring, Nearest& nearest) const {
+  void scanRing(const Point& p, const Coordinates<D>& centre, int32_t ring,
+                Nearest& nearest) const {
     Coordinates<D> from, to;
     for (int a = 0; a < D; ++a) {
       from[a] = std::max(centre[a] - ring, 0);

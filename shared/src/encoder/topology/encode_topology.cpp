@@ -9,8 +9,10 @@ namespace {
 
 struct NoScalars {};
 
-/// Splits cells around what cannot be turned, at each step of the stream that a plan would make. How many were there?
-std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vector<Signs<3>>& actual, double reach) {
+/// Splits cells around what cannot be turned, at each step of the stream that a plan would make.
+/// How many were there?
+std::size_t improve(TopologyPlan<3>& plan, const Header& header,
+                    const std::vector<Signs<3>>& actual, double reach) {
   std::vector<std::byte> thrownAway;
   RangeEncoder coder(thrownAway);
   const NoScalars none;
@@ -38,8 +40,10 @@ std::size_t improve(TopologyPlan<3>& plan, const Header& header, const std::vect
 
 std::vector<Signs<3>> wholeCells(const Header& header, const std::vector<Signs<3>>& actual) {
   TopologyPlan<3> plan(actual);
-  // Farther and farther, until in the end nothing stays whole: what is wrong here may have its reason there.
-  for (double reach = 0; improve(plan, header, actual, reach) != 0; reach = reach * 1.5 + 0.25) plan.update();
+  // Farther and farther, until in the end nothing stays whole: what is wrong here may have its
+  // reason there.
+  for (double reach = 0; improve(plan, header, actual, reach) != 0; reach = reach * 1.5 + 0.25)
+    plan.update();
   return plan.centres();
 }
 

@@ -8,8 +8,9 @@
 namespace isostar {
 namespace {
 
-constexpr unsigned kSide = 3, kVertices = 27, kMiddle = 13;  // of a block of 2³ cells around a vertex
-constexpr unsigned kAxes = 3, kNodes = kVertices * 8;         // edges, by their lower vertex and axes
+constexpr unsigned kSide = 3, kVertices = 27,
+                   kMiddle = 13;                       // of a block of 2³ cells around a vertex
+constexpr unsigned kAxes = 3, kNodes = kVertices * 8;  // edges, by their lower vertex and axes
 
 /// What belongs together.
 class Pieces {
@@ -49,14 +50,16 @@ struct Block {
     }
     for (unsigned cell = 0; cell < 8; ++cell) {
       bool whole = true;
-      for (unsigned corner = 0; corner < 8; ++corner) whole = whole && (inside >> vertexOf(cell, corner) & 1) != 0;
+      for (unsigned corner = 0; corner < 8; ++corner)
+        whole = whole && (inside >> vertexOf(cell, corner) & 1) != 0;
       if (whole) cells |= 1u << cell;
     }
     for (int a = 0; a < 3; ++a) atEnd[static_cast<std::size_t>(a)] = v[a] == 0 || v[a] == last[a];
   }
   static unsigned vertexOf(unsigned cell, unsigned corner) {
     unsigned vertex = 0, stride = 1;
-    for (unsigned a = 0; a < kAxes; ++a, stride *= kSide) vertex += stride * ((cell >> a & 1) + (corner >> a & 1));
+    for (unsigned a = 0; a < kAxes; ++a, stride *= kSide)
+      vertex += stride * ((cell >> a & 1) + (corner >> a & 1));
     return vertex;
   }
 };
@@ -69,7 +72,8 @@ class Patch {
     for (unsigned cells = block.cells; cells != 0; cells &= cells - 1) {
       const auto cell = static_cast<unsigned>(std::countr_zero(cells));
       unsigned signs = 0;
-      for (unsigned corner = 0; corner < 8; ++corner) signs |= (block.signs >> Block::vertexOf(cell, corner) & 1) << corner;
+      for (unsigned corner = 0; corner < 8; ++corner)
+        signs |= (block.signs >> Block::vertexOf(cell, corner) & 1) << corner;
       add(table[signs], cell, block);
     }
     for (const bool used : used_) twiceEuler_ += used ? 2 : 0;
@@ -77,8 +81,10 @@ class Patch {
 
   /// The same pieces, but for what they are within the block.
   [[nodiscard]] bool isLike(Patch& other) {
-    bool same = twiceEuler_ == other.twiceEuler_ && alike(surface_, used_, other.surface_, other.used_);
-    for (unsigned a = 0; same && a < kAxes; ++a) same = alike(curves_[a], onEnd_[a], other.curves_[a], other.onEnd_[a]);
+    bool same =
+        twiceEuler_ == other.twiceEuler_ && alike(surface_, used_, other.surface_, other.used_);
+    for (unsigned a = 0; same && a < kAxes; ++a)
+      same = alike(curves_[a], onEnd_[a], other.curves_[a], other.onEnd_[a]);
     return same;
   }
 
@@ -90,12 +96,14 @@ class Patch {
     for (unsigned i = 0; i < shape.edgeCount; ++i) {
       nodes[i] = Block::vertexOf(cell, shape.edges[i].corner) * 8 + shape.edges[i].axes;
       used_[nodes[i]] = true;
-      for (unsigned a = 0; a < kAxes; ++a) onEnd_[a][nodes[i]] = block.atEnd[a] && liesAcross(nodes[i], a);
+      for (unsigned a = 0; a < kAxes; ++a)
+        onEnd_[a][nodes[i]] = block.atEnd[a] && liesAcross(nodes[i], a);
     }
     for (unsigned t = 0; t < shape.triangleCount; ++t) {
       --twiceEuler_;
       for (unsigned i = 0; i < 3; ++i) {
-        const unsigned from = nodes[shape.triangles[t][i]], to = nodes[shape.triangles[t][(i + 1) % 3]];
+        const unsigned from = nodes[shape.triangles[t][i]],
+                       to = nodes[shape.triangles[t][(i + 1) % 3]];
         surface_.join(from, to);
         for (unsigned a = 0; a < kAxes; ++a) {
           if (onEnd_[a][from] && onEnd_[a][to]) curves_[a].join(from, to);
@@ -172,7 +180,9 @@ class Answers {
 
 }  // namespace
 
-bool flipKeepsTopology(const Signs<3>& signs, const Coordinates<3>& v) { return keepsTopology(Block(signs, v)); }
+bool flipKeepsTopology(const Signs<3>& signs, const Coordinates<3>& v) {
+  return keepsTopology(Block(signs, v));
+}
 
 std::vector<Coordinates<3>> stuckFlips(Signs<3> from, const Signs<3>& to) {
   std::vector<Coordinates<3>> open;
@@ -181,7 +191,8 @@ std::vector<Coordinates<3>> stuckFlips(Signs<3> from, const Signs<3>& to) {
     const auto brick = from.table().brick(brickIndex);
     for (std::size_t r = 0; r < a.size(); ++r) {
       for (unsigned flipped = a[r] ^ b[r]; flipped != 0; flipped &= flipped - 1) {
-        const Coordinates<3> v{brick[0] * kBrickSide + std::countr_zero(flipped), brick[1] * kBrickSide + static_cast<int32_t>(r % kBrickSide),
+        const Coordinates<3> v{brick[0] * kBrickSide + std::countr_zero(flipped),
+                               brick[1] * kBrickSide + static_cast<int32_t>(r % kBrickSide),
                                brick[2] * kBrickSide + static_cast<int32_t>(r / kBrickSide)};
         const auto& last = from.lattice().last;
         if (v[0] <= last[0] && v[1] <= last[1] && v[2] <= last[2]) open.push_back(v);

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "grid/refined_signs.h"
 #include "bisection/weld_topology.h"
+#include "grid/refined_signs.h"
 
 namespace isostar {
 namespace {
@@ -55,7 +55,8 @@ TopologyPlan<D>::TopologyPlan(const std::vector<Signs<D>>& actual) : actual_(act
     for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
       if (active[brickIndex] == 0) continue;
       forEachInBrick(signs, brickIndex, [&](const Coordinates<D>& v) {
-        if (signs.lattice().newAxes(v) != 0 && !keepsTopology(level, v)) changing_.back().set(v, true);
+        if (signs.lattice().newAxes(v) != 0 && !keepsTopology(level, v))
+          changing_.back().set(v, true);
       });
     }
   }
@@ -69,11 +70,13 @@ bool TopologyPlan<D>::keepsTopology(int level, const Coordinates<D>& v) const {
   const bool sign = signs.at(v);
   if (besideShortEnd<D>(lattice, v)) {
     bool same = true;
-    forEachAround<D>(lattice, v, [&](const Coordinates<D>& w) { same = same && signs.at(w) == sign; });
+    forEachAround<D>(lattice, v,
+                     [&](const Coordinates<D>& w) { same = same && signs.at(w) == sign; });
     return same;
   }
   const Hierarchy<D> hierarchy(lattice.last, 1);
-  return weldKeepsTopology(hierarchy, v, [&](const Coordinates<D>& w) { return signs.at(hierarchy.position(w)); });
+  return weldKeepsTopology(
+      hierarchy, v, [&](const Coordinates<D>& w) { return signs.at(hierarchy.position(w)); });
 }
 
 /// A vertex needs all corners of the coarser octave's cells that it lies in.
@@ -115,7 +118,8 @@ void TopologyPlan<D>::update() {
   Signs<D> pinned(actual_.back().lattice());
   for (std::size_t level = actual_.size(); level-- > 1;) {
     Signs<D> bad = std::move(pinned);
-    for (const auto* more : {&changing_[level], &forbidden_[level]}) forEachMember(*more, [&](const Coordinates<D>& v) { bad.set(v, true); });
+    for (const auto* more : {&changing_[level], &forbidden_[level]})
+      forEachMember(*more, [&](const Coordinates<D>& v) { bad.set(v, true); });
     centres_[level] = wholeCells(static_cast<int>(level), bad);
     pinned = Signs<D>(actual_[level - 1].lattice());
     pinParents(bad, pinned);
@@ -128,7 +132,8 @@ bool TopologyPlan<D>::forbid(const Coordinates<D>& v, int level, double reach) {
     const auto& centres = centres_[static_cast<std::size_t>(finer)];
     const auto& lattice = centres.lattice();
     Coordinates<D> low, high;
-    const auto around = static_cast<int32_t>(std::ceil((1 + 2 * reach) * lattice.step));  // from a cell's centre
+    const auto around =
+        static_cast<int32_t>(std::ceil((1 + 2 * reach) * lattice.step));  // from a cell's centre
     for (int a = 0; a < D; ++a) {
       low[a] = std::clamp((v[a] - around) / lattice.step, 0, lattice.last[a]);
       high[a] = std::clamp((v[a] + around) / lattice.step, 0, lattice.last[a]);
