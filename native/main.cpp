@@ -3,8 +3,8 @@
 #include <new>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/suggestion.h"
-#include "cli/words.h"
 #include "files/failure.h"
 #include "files/text.h"
 #include "isostar/isostar.h"
@@ -12,14 +12,15 @@
 namespace isostar::native {
 namespace {
 
+/// The exit status.
 enum Status { kDone = 0, kFileFault = 1, kUsageFault = 2 };
 
 int report(Status status, const std::string& what) {
-  say(what);
+  printMessage(what);
   return status;
 }
 
-/// The parser's complaint, or the help that was asked for.
+/// Prints the parser's error message, or the requested help.
 int reportParsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
   const CLI::App* command = app.get_subcommands().empty() ? &app : app.get_subcommands().front();

@@ -1,5 +1,6 @@
-# VTK's readers as target isostar_vtk, where they are found. Debian's libvtk9-dev depends on 770 MB that reading does not
-# need, so scripts/setup.sh installs the libraries and unpacks the headers alone into build/vtk.
+# VTK's readers as target isostar_vtk, if they are found. Debian's libvtk9-dev depends on 770 MB of
+# packages that reading does not need. scripts/setup.sh therefore installs the libraries and unpacks
+# only the headers, into build/vtk.
 find_package(VTK QUIET COMPONENTS IOXML IOLegacy)
 if(VTK_FOUND)
   add_library(isostar_vtk INTERFACE)

@@ -1,6 +1,7 @@
-// `npm run demo`, after set-up and build: samples, then the viewer on this machine. PORT and HOST say where, 8080 on localhost by default.
+// `npm run demo`, after set-up and build: encodes the samples and serves the viewer, at PORT and
+// HOST, by default 8080 on localhost.
 import { fileURLToPath } from 'node:url';
-import { makeSamples } from './samples.mjs';
+import { makeSamples } from './sample-scans.mjs';
 import { serve } from './serve.mjs';
 
 const inBuild = (path) => fileURLToPath(new URL(`../build/${path}`, import.meta.url));
@@ -13,4 +14,4 @@ const { address } = await serve(folders, { port, host }).catch((reason) => {
   if (reason.code !== 'EADDRINUSE' || process.env.PORT) throw reason;
   return serve(folders, { host });
 });
-console.log(`\nThe viewer is at ${address} (Ctrl-C ends it)`);
+console.log(`\nThe viewer is at ${address} (Ctrl-C stops it)`);

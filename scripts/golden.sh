@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Writes the golden streams anew with today's encoder; tests/golden/README.md says when that is allowed.
+# Writes the golden streams again with the current encoder; tests/golden/README.md states when that
+# is allowed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

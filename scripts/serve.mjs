@@ -1,4 +1,5 @@
-// A small static server: the first of several folders that has the file answers, under the strictest policy that the viewer works with.
+// A small static file server over several folders, with the strictest content security policy under
+// which the viewer works.
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -12,14 +13,21 @@ const TYPES = {
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
 };
+const POLICY = [
+  "default-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "style-src 'self'",
+  "object-src 'none'",
+  "base-uri 'none'",
+];
 const HEADERS = {
-  'Content-Security-Policy':
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; object-src 'none'; base-uri 'none'",
+  'Content-Security-Policy': POLICY.join('; '),
   'X-Content-Type-Options': 'nosniff',
   'Cache-Control': 'no-cache',
 };
 
-/** The file that an address names; nothing for one that names none, or badly. */
+/** The file at an address, in the first folder that has it; undefined if there is none. */
 async function find(folders, url) {
   let path;
   try {
@@ -30,13 +38,17 @@ async function find(folders, url) {
   if (path.includes('\0')) return;
   if (path.endsWith('/')) path += 'index.html';
   for (const folder of folders) {
-    const file = join(folder, normalize(path));  // a normalized absolute path cannot climb out of the folder
+    // A normalized absolute path cannot lead out of the folder.
+    const file = join(folder, normalize(path));
     const found = await stat(file).catch(() => undefined);
     if (found?.isFile()) return { file, size: found.size };
   }
 }
 
-/** Serves the folders and resolves to the page's address; port 0 takes any that is free. `handle` may answer first. */
+/**
+ * Serves the folders and resolves to { server, address }. Port 0 takes any free port. `handle` may
+ * answer a request first and then returns true.
+ */
 export function serve(folders, { port = 0, host = '127.0.0.1', handle = () => false } = {}) {
   const server = createServer(async (request, response) => {
     if (handle(request, response, HEADERS)) return;
@@ -49,6 +61,8 @@ export function serve(folders, { port = 0, host = '127.0.0.1', handle = () => fa
   });
   return new Promise((resolve, reject) => {
     server.once('error', reject);
-    server.listen(port, host, () => resolve({ server, address: `http://${host}:${server.address().port}/` }));
+    server.listen(port, host, () =>
+      resolve({ server, address: `http://${host}:${server.address().port}/` }),
+    );
   });
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing: Debian packages (as root) and npm packages. `setup.sh test` adds what only the tests need.
+# Installs missing Debian packages (as root) and npm packages. `setup.sh test` adds those that only
+# the tests need.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -8,9 +9,9 @@ packages=(
   libcli11-dev nlohmann-json3-dev libxxhash-dev           # the command line and the stream
   libinsighttoolkit5-dev libnifti2-dev                    # volumes
   libgtest-dev libglm-dev                                 # tests, built with everything else
-  libdraco-dev draco libmeshoptimizer-dev libzstd-dev     # what isostar is compared with
+  libdraco-dev draco libmeshoptimizer-dev libzstd-dev     # the codecs of the comparison
 )
-if [ "${1:-}" = test ]; then packages+=(chromium); fi
+if [ "${1:-}" = test ]; then packages+=(chromium clang-format); fi
 
 isInstalled() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
@@ -23,24 +24,33 @@ if [ ${#missing[@]} -gt 0 ]; then
   fi
   echo "setup: installing ${missing[*]}"
   apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 
-# VTK reads tetrahedral meshes and images. Its -dev package depends on 770 MB that reading does not need: the libraries are
-# installed (160 MB), the headers alone unpacked beside the build.
-if ! compgen -G 'build/vtk/usr/include/vtk-*' >/dev/null && ! compgen -G '/usr/include/vtk-*' >/dev/null; then
+# VTK reads tetrahedral meshes and images. Its -dev package depends on 770 MB that reading does not
+# need: the libraries are installed (160 MB), and only the headers are unpacked beside the build.
+hasVtkHeaders() { compgen -G 'build/vtk/usr/include/vtk-*' || compgen -G '/usr/include/vtk-*'; }
+if ! hasVtkHeaders >/dev/null; then
   [ -n "$(apt-cache madison libvtk9-dev)" ] || apt-get update -qq
-  library=$(apt-cache depends libvtk9-dev | sed -n 's/^ *Depends: \(libvtk9\.[0-9][0-9a-z]*\)$/\1/p')
+  library=$(apt-cache depends libvtk9-dev |
+    sed -n 's/^ *Depends: \(libvtk9\.[0-9][0-9a-z]*\)$/\1/p')
   if ! isInstalled "$library"; then
     if [ "$(id -u)" != 0 ]; then
       echo "setup: not root; run: apt-get install --no-install-recommends $library" >&2
       exit 1
     fi
     echo "setup: installing $library"
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$library" >/dev/null
+    DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y -qq --no-install-recommends "$library" >/dev/null
   fi
   mkdir -p build/vtk
-  (cd build/vtk && apt-get -o APT::Sandbox::User=root download -qq libvtk9-dev && dpkg -x libvtk9-dev_*.deb . && rm libvtk9-dev_*.deb)
+  (
+    cd build/vtk
+    apt-get -o APT::Sandbox::User=root download -qq libvtk9-dev
+    dpkg -x libvtk9-dev_*.deb .
+    rm libvtk9-dev_*.deb
+  )
 fi
 
 node -e '

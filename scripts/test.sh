@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Every test: C++, types, Node, browser. Each runner ends with its own summary; one that fails does not keep the others from running.
+# Runs every test: format, C++, types, Node, browser. Each runner prints its own summary; the others
+# run even if one fails.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
 failed=0
+bash scripts/check-format.sh || failed=1
 ctest --preset release -j2 || failed=1
 for project in web web/viewer tests/node; do npx tsc -p "$project" --noEmit || failed=1; done
 node --test tests/node/*.test.mjs || failed=1
-# Two browsers at once would slow each other.
+# One browser at a time: two would slow each other down.
 node --test --test-concurrency=1 --test-timeout=120000 tests/browser/*.test.mjs || failed=1
 exit $failed

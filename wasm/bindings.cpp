@@ -1,5 +1,5 @@
-// The raw WebAssembly module: each line a rename or a view. web/src/raw.ts declares it,
-// web/src/local-decoder.ts is its only caller.
+// The raw WebAssembly module: the public C++ API, under the same names. web/src/codec/raw.ts
+// declares it for TypeScript; web/src/codec/session.ts is its only caller in the package.
 #include <emscripten/bind.h>
 
 #include <isostar/isostar.h>
@@ -13,7 +13,7 @@ val arrayOf(const Numbers& numbers) {
   return val::array(numbers.begin(), numbers.end());
 }
 
-/// A view into this module's memory: valid until the next call into it.
+/// A view into this module's memory, valid until the next call into the module.
 template <class Number>
 val viewOf(const std::vector<Number>& numbers) {
   return val(emscripten::typed_memory_view(numbers.size(), numbers.data()));
@@ -55,8 +55,7 @@ val describeStream(const isostar::StreamInfo& info) {
 
 class RawDecoder {
  public:
-  /// Room for n bytes inside this module's memory, to be filled at once and then handed in with
-  /// accept(n).
+  /// A view of n bytes of this module's memory, to be filled immediately, before accept(n).
   val room(size_t n) {
     room_.resize(n);
     return viewOf(room_);
@@ -93,8 +92,8 @@ class RawDecoder {
 
 }  // namespace
 
-/// Embind prints the addresses of types that have no names, for its errors: ours all have one, and
-/// a page need not load printf.
+/// Embind prints the addresses of types without names in its error messages. All types here have
+/// names, so that the module need not contain printf.
 extern "C" int __wrap_siprintf(char* out, const char*, ...) {
   *out = '\0';
   return 0;
@@ -115,7 +114,7 @@ EMSCRIPTEN_BINDINGS(isostar) {
       .function("finish", &RawDecoder::finish)
       .function("advance", &RawDecoder::advance)
       .function("ready", &RawDecoder::ready)
-      .function("complete", &RawDecoder::isFinal)
+      .function("isFinal", &RawDecoder::isFinal)
       .function("level", &RawDecoder::level)
       .function("levels", &RawDecoder::levels)
       .function("bytes", &RawDecoder::bytes)

@@ -1,5 +1,5 @@
-// What the codec uses of C++20 and the libc++ of Debian's Emscripten 3.1.6 lacks; a newer one takes
-// this file's place by itself. Included before every source of the codec.
+// Parts of C++20 that the codec uses and the libc++ of Debian's Emscripten 3.1.6 lacks; a newer
+// libc++ switches them off. Included before every source file of the codec.
 #pragma once
 
 #include <algorithm>

@@ -6,9 +6,9 @@
 
 namespace isostar::bench {
 
-/// An adaptive stream of this bound in grid steps (§4.3, §5.1), with its distance from every
-/// vertex, both ways; and what uniform streams, Draco and simplified meshes cost at any distance.
-/// Only the size where the surface is empty.
+/// The size of an adaptive stream with this bound in grid steps (§4.3, §5.1) and its two-sided
+/// distance, measured at every vertex, with rate-distortion points of uniform streams, Draco and
+/// simplified meshes. Of an empty surface only the size.
 nlohmann::ordered_json adaptiveRate(const Subject&, double maxError, const SizeOptions&);
 
 }  // namespace isostar::bench

@@ -8,14 +8,14 @@
 
 namespace isostar::bench {
 
-/// As `draco_encoder -cl LEVEL -qp BITS` does with positions and triangles.
+/// Encodes positions and triangles as `draco_encoder -cl LEVEL -qp BITS` does.
 std::vector<std::byte> encodeDraco(const Mesh&, int level, int bits);
 
-/// Draco's own work only, as its users have it; tells the number of faces so that no compiler
-/// leaves it out.
+/// Decodes to Draco's own mesh, without conversion, to measure the time. Returns the number of
+/// faces, so that the compiler cannot remove the call.
 size_t decodeDraco(std::span<const std::byte>);
 
-/// The same with the surface taken out, for measuring it.
+/// Decodes and converts to a Mesh, to measure distances.
 Mesh meshOfDraco(std::span<const std::byte>);
 
 }  // namespace isostar::bench

@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kRatios[] = {0.85, 0.7,  0.5,   0.36, 0.26, 0.18,  0.13,
                               0.09, 0.06, 0.035, 0.02, 0.01, 0.005, 0.0025};
-constexpr double kCoarse = 0.05;  // ratio below which larger steps pay, too
+constexpr double kCoarse = 0.05;  // the ratio below which larger steps are tested too
 
-Json dracoPoint(const Mesh& mesh, int level, int bits, const Ruler& ruler) {
+Json dracoPoint(const Mesh& mesh, int level, int bits, const DistanceMeter& meter) {
   const std::vector<std::byte> bytes = encodeDraco(mesh, level, bits);
-  Json json = point(bytes.size(), ruler.distance(meshOfDraco(bytes)));
+  Json json = point(bytes.size(), meter.distance(meshOfDraco(bytes)));
   json["level"] = level;
   json["bits"] = bits;
   return json;
@@ -42,10 +42,10 @@ std::vector<int> positionBits(const Mesh& mesh, double coarsestStep, int most) {
   return bits;
 }
 
-Json dracoPoints(const Mesh& mesh, const Ruler& ruler) {
+Json dracoPoints(const Mesh& mesh, const DistanceMeter& meter) {
   Json points = Json::array();
   for (int bits : positionBits(mesh, 2, 14)) {
-    Json best = dracoPoint(mesh, 10, bits, ruler);
+    Json best = dracoPoint(mesh, 10, bits, meter);
     Json quick = best;
     quick["bytes"] = encodeDraco(mesh, 7, bits).size();
     quick["level"] = 7;
@@ -55,13 +55,13 @@ Json dracoPoints(const Mesh& mesh, const Ruler& ruler) {
   return points;
 }
 
-Json simplifiedPoints(const Mesh& mesh, const Ruler& ruler) {
+Json simplifiedPoints(const Mesh& mesh, const DistanceMeter& meter) {
   Json points = Json::array();
   for (double ratio : kRatios) {
     const Mesh fewer = simplified(mesh, ratio);
     if (fewer.indices.empty()) break;
     for (int bits : positionBits(mesh, ratio < kCoarse ? 4 : 2, 13)) {
-      points.push_back(dracoPoint(fewer, 10, bits, ruler));
+      points.push_back(dracoPoint(fewer, 10, bits, meter));
       points.back()["ratio"] = ratio;
     }
   }

@@ -15,38 +15,39 @@ constexpr double kUniformBounds[] = {0.4, 0.2, 0.1, 0.05, 0.025};
 constexpr double kAdaptiveBounds[] = {0.8, 0.4, 0.2, 0.1};
 constexpr double kSingleRateBounds[] = {1.6, 0.8, 0.4, 0.2, 0.1, 0.05};
 
-Json uniform(const Subject& subject, const Ruler& ruler) {
+Json uniform(const Subject& subject, const DistanceMeter& meter) {
   Json points = Json::array();
   for (double bound : kUniformBounds) {
     const auto stream = encodeIsostar(subject, bound);
-    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.push_back(point(stream.size(), meter.distance(decodedMesh(stream, subject))));
     points.back()["maxError"] = bound;
   }
   return points;
 }
 
-/// Those streams that are not smaller as uniform ones.
-Json adaptive(const Subject& subject, const Ruler& ruler) {
+/// Skips bounds at which the uniform stream is smaller.
+Json adaptive(const Subject& subject, const DistanceMeter& meter) {
   Json points = Json::array();
   for (double bound : kAdaptiveBounds) {
     const auto stream = encodeIsostarAdaptive(subject, bound);
     if (!inspected(stream).adaptive) continue;
-    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.push_back(point(stream.size(), meter.distance(decodedMesh(stream, subject))));
     points.back()["maxError"] = bound;
   }
   return points;
 }
 
-Json singleRate(const Subject& subject, const measure::TriangleTree& surface, const Ruler& ruler) {
+Json singleRate(const Subject& subject, const measure::TriangleTree& surface,
+                const DistanceMeter& meter) {
   Json points = Json::array();
   for (const auto& stream :
        encodeSingleRate(subject.volume.view(), subject.isovalue, surface, kSingleRateBounds)) {
     const SampledFunction function = decodeSingleRate(stream.bytes);
-    const Volume volume{function.samples, function.size, {}};
+    const Volume volume{.samples = function.samples, .size = function.size, .placement = {}};
     Mesh mesh;
-    require(polygonize(volume, 0, {Polygonizer::Cubes, Frame::Grid, false}, mesh), "polygonize");
+    require(polygonize(volume, 0, {.frame = Frame::Grid, .normals = false}, mesh), "polygonize");
     toGridSteps(mesh, subject.volume.placement);
-    Json json = point(stream.bytes.size(), ruler.distance(mesh));
+    Json json = point(stream.bytes.size(), meter.distance(mesh));
     json["connectivity"] = stream.connectivity;
     json["leaves"] = stream.leaves;
     json["vertices"] = stream.vertices;
@@ -55,12 +56,13 @@ Json singleRate(const Subject& subject, const measure::TriangleTree& surface, co
   return points;
 }
 
-Json octree(const Subject& subject, const measure::TriangleTree& surface, const Ruler& ruler) {
+Json octree(const Subject& subject, const measure::TriangleTree& surface,
+            const DistanceMeter& meter) {
   std::array<double, 3> unit = subject.volume.placement.spacing;
   for (double& u : unit) u /= native::smallestSpacing(subject.volume.placement);
   const auto stream = encodeOctree(subject.volume.view(), subject.isovalue, surface);
   const auto shown = [&](size_t bytes) {
-    return point(bytes, ruler.distance(decodeOctree(std::span(stream).first(bytes), unit)));
+    return point(bytes, meter.distance(decodeOctree(std::span(stream).first(bytes), unit)));
   };
   Json points = Json::array();
   size_t before = 0;
@@ -80,14 +82,14 @@ Json octree(const Subject& subject, const measure::TriangleTree& surface, const 
 Json figure6(const Subject& subject, const Figure6Options& options) {
   Json json = {{"isovalue", subject.isovalue}, {"vertices", subject.mesh.positions.size() / 3}};
   if (subject.mesh.indices.empty()) return json;
-  const Ruler ruler(subject.mesh, options.points);
+  const DistanceMeter meter(subject.mesh, options.points);
   const measure::TriangleTree surface(subject.mesh);
   json["prefixes"] =
-      prefixes(encodeIsostar(subject, EncodeOptions{}.maxError), subject, ruler, options.prefixes);
-  json["uniform"] = uniform(subject, ruler);
-  json["adaptive"] = adaptive(subject, ruler);
-  json["singleRate"] = singleRate(subject, surface, ruler);
-  json["octree"] = octree(subject, surface, ruler);
+      prefixes(encodeIsostar(subject, EncodeOptions{}.maxError), subject, meter, options.prefixes);
+  json["uniform"] = uniform(subject, meter);
+  json["adaptive"] = adaptive(subject, meter);
+  json["singleRate"] = singleRate(subject, surface, meter);
+  json["octree"] = octree(subject, surface, meter);
   return json;
 }
 

@@ -15,7 +15,7 @@ namespace isostar::bench {
 namespace {
 
 constexpr int kMeshLevel = 19;
-constexpr int kVolumeLevel = 9;  // higher ones take minutes for the large volumes
+constexpr int kVolumeLevel = 9;  // higher levels take minutes for large volumes
 
 size_t compressedBytes(const void* data, size_t bytes, int level) {
   std::vector<std::byte> room(ZSTD_compressBound(bytes));
@@ -24,9 +24,9 @@ size_t compressedBytes(const void* data, size_t bytes, int level) {
   return size;
 }
 
-using Corner = std::array<uint16_t, 4>;  // the vertex codec wants multiples of four bytes
+using Corner = std::array<uint16_t, 4>;  // the vertex codec needs a multiple of four bytes
 
-/// The box's corner and longest side.
+/// The lowest corner and the longest side of the bounding box.
 struct Range {
   std::array<float, 3> low{INFINITY, INFINITY, INFINITY};
   float side = 0;

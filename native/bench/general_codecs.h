@@ -12,11 +12,12 @@ struct MeshoptStream {
   Mesh decoded;
 };
 
-/// What gltfpack -cc makes, then zstd: positions in `bits` of the box's longest side,
-/// meshoptimizer's vertex and index codecs in the order that suits them.
+/// The output of `gltfpack -cc`, compressed by zstd: positions quantized to `bits` of the bounding
+/// box's longest side, then meshoptimizer's vertex and index codecs on vertices in the order that
+/// suits them.
 MeshoptStream encodeMeshopt(const Mesh&, int bits);
 
-/// The volume itself under zstd, in the narrowest type that holds its samples.
+/// The size of the volume compressed by zstd, in the narrowest type that holds its samples.
 size_t zstdBytes(const std::vector<float>& samples);
 
 }  // namespace isostar::bench

@@ -5,8 +5,8 @@
 
 namespace isostar::bench {
 
-/// An image's contour without loss (§6): its layers, and whether the last one shows marching
-/// squares' own points. Fails with one line where the file is no image.
+/// The layers of an image's contour encoded losslessly (§6), and whether the last one gives exactly
+/// the points of marching squares. Throws a Failure if the file is not an image.
 nlohmann::ordered_json imageLayers(const std::string& path, double isovalue);
 
 }  // namespace isostar::bench

@@ -35,9 +35,9 @@ std::vector<std::byte> encodeIsostarOfOneTopology(const Subject& subject, double
   return encoded(subject, options);
 }
 
-std::vector<std::byte> encodeIsostarWith(const Subject& subject, double near, double maxError) {
+std::vector<std::byte> encodeIsostarWith(const Subject& subject, double further, double maxError) {
   EncodeOptions options = boundedBy(maxError, subject);
-  options.near = {near};
+  options.furtherIsovalues = {further};
   return encoded(subject, options);
 }
 
@@ -61,7 +61,7 @@ Decoder decodeIsostar(std::span<const std::byte> prefix) {
 
 Mesh meshOf(const Decoder& decoder, bool normals) {
   Mesh mesh;
-  require(decoder.mesh({Polygonizer::Cubes, Frame::Grid, normals}, mesh), "polygonize");
+  require(decoder.mesh({.frame = Frame::Grid, .normals = normals}, mesh), "polygonize");
   return mesh;
 }
 

@@ -2,7 +2,7 @@
 
 #include "bench/isostar_codec.h"
 #include "bench/stream_points.h"
-#include "measure/topology.h"
+#include "measure/mesh_topology.h"
 
 namespace isostar::bench {
 

@@ -6,8 +6,9 @@
 
 namespace isostar::bench {
 
-/// Components and genus of what each layer of a stream of one topology shows (§4.3), and its bytes
-/// beside a uniform stream's. A genus is null where a mesh is no oriented manifold.
+/// The components and the genus of each layer's surface in a stream that preserves topology (§4.3),
+/// and the bytes of this stream and of a uniform one. A genus is null if the mesh is not an
+/// oriented manifold.
 nlohmann::ordered_json layerTopology(const Subject&);
 
 }  // namespace isostar::bench

@@ -27,7 +27,7 @@ double otsuThreshold(const std::vector<float>& samples) {
     all += static_cast<double>(b) * static_cast<double>(bins[b]);
   const double count = static_cast<double>(samples.size());
   double below = 0, sumBelow = 0, best = -1;
-  size_t last = 0;  // bin below the threshold
+  size_t last = 0;  // the bin below the threshold
   for (size_t b = 0; b + 1 < bins.size(); ++b) {
     below += static_cast<double>(bins[b]);
     sumBelow += static_cast<double>(b) * static_cast<double>(bins[b]);

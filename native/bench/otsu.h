@@ -4,8 +4,8 @@
 
 namespace isostar::bench {
 
-/// The threshold that splits the samples into the two classes least spread within themselves. It
-/// lies between two whole numbers where all samples are whole.
+/// Otsu's threshold, which splits the samples into two classes with the least variance within the
+/// classes. It is halfway between two whole numbers if all samples are whole.
 double otsuThreshold(const std::vector<float>& samples);
 
 }  // namespace isostar::bench

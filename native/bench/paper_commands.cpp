@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "bench/adaptive_rate.h"
-#include "bench/close_by.h"
+#include "bench/further_isovalue.h"
 #include "bench/image_layers.h"
 #include "bench/layer_topology.h"
 #include "bench/subject_command.h"
@@ -17,13 +17,13 @@ struct Arguments {
   SubjectRequest subject;
   SizeOptions options;
   TetrahedraRequest tetrahedra;
-  double maxError = 0, near = 0, isovalue = 0;
+  double maxError = 0, further = 0, isovalue = 0;
   std::string image;
 };
 
 void addSubjectCommands(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
   CLI::App& adaptive =
-      addSubject(app, "adaptive", "An adaptive stream and what others cost", arguments->subject);
+      addSubject(app, "adaptive", "An adaptive stream and other codecs", arguments->subject);
   addPoints(adaptive, arguments->options.points);
   addPrefixes(adaptive, arguments->options.prefixes);
   adaptive.add_option("--max-error", arguments->maxError, "The bound, in grid steps")->required();
@@ -33,22 +33,22 @@ void addSubjectCommands(CLI::App& app, const std::shared_ptr<Arguments>& argumen
               << "\n";
   });
 
-  CLI::App& topology = addSubject(
-      app, "topology", "What each layer of a stream of one topology shows", arguments->subject);
+  CLI::App& topology = addSubject(app, "topology", "The layers of a stream that preserves topology",
+                                  arguments->subject);
   topology.callback(
       [arguments] { std::cout << layerTopology(readSubject(arguments->subject)) << "\n"; });
 
-  CLI::App& near =
-      addSubject(app, "near", "Two isosurfaces, alone and together", arguments->subject);
-  near.add_option("--near", arguments->near, "The second isovalue")->required();
-  near.callback([arguments] {
-    std::cout << further(readSubject(arguments->subject), arguments->near) << "\n";
+  CLI::App& further = addSubject(app, "near", "Two isosurfaces, in separate streams and in one",
+                                 arguments->subject);
+  further.add_option("--near", arguments->further, "The second isovalue")->required();
+  further.callback([arguments] {
+    std::cout << furtherIsovalue(readSubject(arguments->subject), arguments->further) << "\n";
   });
 }
 
 void addTetrahedra(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
   CLI::App& command =
-      *app.add_subcommand("tetrahedra", "A stream against the tetrahedra that it was made of");
+      *app.add_subcommand("tetrahedra", "A stream and the tetrahedra that it encodes");
   command.add_option("mesh", arguments->tetrahedra.path)->required();
   command.add_option("stream", arguments->tetrahedra.stream)->required();
   command.add_option("--iso", arguments->tetrahedra.isovalue, "The isovalue")->required();
@@ -59,7 +59,8 @@ void addTetrahedra(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
 }
 
 void addImage(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
-  CLI::App& command = *app.add_subcommand("image", "The layers of an image's contour without loss");
+  CLI::App& command =
+      *app.add_subcommand("image", "The layers of an image's contour, encoded losslessly");
   command.add_option("image", arguments->image)->required();
   command.add_option("--iso", arguments->isovalue, "The isovalue")->required();
   command.callback(

@@ -4,8 +4,8 @@
 
 namespace isostar::bench {
 
-/// What `npm run bench -- --paper` asks: adaptive streams, those of one topology, close-by
-/// isosurfaces, tetrahedra, images.
+/// The measurements of `npm run bench -- --paper`: adaptive streams, preserved topology, further
+/// isovalues, tetrahedra and images.
 void addPaperCommands(CLI::App&);
 
 }  // namespace isostar::bench

@@ -5,7 +5,7 @@
 namespace isostar::bench {
 namespace {
 
-/// Leaves out the vertices that no triangle names.
+/// Drops the vertices that no triangle uses.
 Mesh compacted(const Mesh& mesh, std::vector<uint32_t> triangles) {
   constexpr size_t kStride = 3 * sizeof(float);
   const size_t vertices = mesh.positions.size() / 3;

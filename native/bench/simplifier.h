@@ -4,7 +4,8 @@
 
 namespace isostar::bench {
 
-/// meshoptimizer's simplifier, as far down to `ratio` of the triangles as it goes.
+/// The mesh after meshoptimizer's simplifier, with `ratio` of the triangles or as close to that as
+/// it gets.
 Mesh simplified(const Mesh&, double ratio);
 
 }  // namespace isostar::bench

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "bench/distance_meter.h"
 #include "bench/draco_points.h"
 #include "bench/general_codecs.h"
 #include "bench/isostar_codec.h"
-#include "bench/ruler.h"
 #include "bench/stream_points.h"
 
 namespace isostar::bench {
@@ -18,7 +18,7 @@ using measure::Distance;
 
 Json streamJson(const std::vector<std::byte>& stream) {
   const StreamInfo info = inspected(stream);
-  std::map<bool, uint64_t> bits;  // of geometry or not
+  std::map<bool, uint64_t> bits;  // true: of geometry
   Json layers = Json::array();
   for (const LayerInfo& layer : info.layers) {
     bits[layer.kind == "geometry"] += 8 * layer.bytes;
@@ -31,8 +31,8 @@ Json streamJson(const std::vector<std::byte>& stream) {
       {"layers", layers}};
 }
 
-/// The decoded surface against the polygonizer's own: the same triangles, and how far a coordinate
-/// is off at most.
+/// Compares the decoded surface with the source's: whether the triangles are the same, and the
+/// largest difference of a coordinate.
 Json losslessJson(const Subject& subject) {
   const std::vector<std::byte> stream = encodeIsostarLossless(subject);
   const Mesh mesh = decodedMesh(stream, subject);
@@ -47,11 +47,11 @@ Json losslessJson(const Subject& subject) {
   return json;
 }
 
-Json meshopt(const Mesh& mesh, const Ruler& ruler) {
+Json meshopt(const Mesh& mesh, const DistanceMeter& meter) {
   Json points = Json::array();
   for (int bits : positionBits(mesh, 2, 14)) {
     const MeshoptStream stream = encodeMeshopt(mesh, bits);
-    points.push_back(point(stream.bytes, ruler.distance(stream.decoded)));
+    points.push_back(point(stream.bytes, meter.distance(stream.decoded)));
     points.back()["bits"] = bits;
   }
   return points;
@@ -66,20 +66,20 @@ Json sizes(const Subject& subject, const SizeOptions& options) {
                {"vertices", subject.mesh.positions.size() / 3},
                {"triangles", subject.mesh.indices.size() / 3}};
   if (subject.mesh.indices.empty()) return json;
-  const Ruler ruler(subject.mesh, options.points);
+  const DistanceMeter meter(subject.mesh, options.points);
   const double bound = EncodeOptions{}.maxError;
   const std::vector<std::byte> stream = encodeIsostar(subject, bound);
   json["default"] = streamJson(stream);
   json["default"]["bound"] = bound;
-  if (const auto distance = ruler.thoroughDistance(decodedMesh(stream, subject)))
+  if (const auto distance = meter.thoroughDistance(decodedMesh(stream, subject)))
     json["default"]["rms"] = distance->rms, json["default"]["max"] = distance->max;
-  json["prefixes"] = prefixes(stream, subject, ruler, options.prefixes);
+  json["prefixes"] = prefixes(stream, subject, meter, options.prefixes);
   json["lossless"] = losslessJson(subject);
-  json["draco"] = dracoPoints(subject.mesh, ruler);
-  json["bounds"] = otherBounds(subject, ruler);
+  json["draco"] = dracoPoints(subject.mesh, meter);
+  json["bounds"] = otherBounds(subject, meter);
   if (!options.rate) return json;
-  json["simplified"] = simplifiedPoints(subject.mesh, ruler);
-  json["meshopt"] = meshopt(subject.mesh, ruler);
+  json["simplified"] = simplifiedPoints(subject.mesh, meter);
+  json["meshopt"] = meshopt(subject.mesh, meter);
   json["zstdVolume"] = zstdBytes(subject.volume.samples);
   return json;
 }

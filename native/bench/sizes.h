@@ -7,12 +7,13 @@
 namespace isostar::bench {
 
 struct SizeOptions {
-  size_t points = 10000;  // that tell a distance
+  size_t points = 10000;  // samples of each distance measurement
   int prefixes = 12;      // besides those that end with a layer and at 2, 5 and 10 percent
-  bool rate = false;      // also what takes long: simplified meshes, other codecs
+  bool rate = false;      // also simplified meshes and other codecs, which take long
 };
 
-/// Bytes and distances of everybody: exact, the same on every machine with the same libraries.
+/// The bytes and distances of all codecs. They are reproducible on every machine with the same
+/// libraries.
 nlohmann::ordered_json sizes(const Subject&, const SizeOptions&);
 
 }  // namespace isostar::bench

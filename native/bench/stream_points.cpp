@@ -14,7 +14,7 @@ using measure::Distance;
 namespace {
 
 constexpr double kOtherBounds[] = {0.4, 0.2, 0.1, 0.025, 0.0125};
-constexpr double kShares[] = {0.02, 0.05, 0.1};  // of a stream, at which low rates are judged
+constexpr double kShares[] = {0.02, 0.05, 0.1};  // of a stream: low rates are compared there
 
 Mesh meshInGridSteps(const Decoder& decoder, const Subject& subject) {
   Mesh mesh = meshOf(decoder, false);
@@ -58,16 +58,16 @@ Mesh decodedMesh(const std::vector<std::byte>& stream, const Subject& subject) {
   return meshInGridSteps(decodeIsostar(stream), subject);
 }
 
-Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, const Ruler& ruler,
-              int steps) {
+Json prefixes(const std::vector<std::byte>& stream, const Subject& subject,
+              const DistanceMeter& meter, int steps) {
   const StreamInfo info = inspected(stream);
   Json points = Json::array();
   std::optional<Distance> distance;
   uint64_t shown = 0;
   for (size_t bytes : prefixSizes(info, steps)) {
     const Decoder decoder = decodeIsostar(std::span(stream).first(bytes));
-    if (decoder.level() < 0) continue;  // nothing to be seen yet
-    if (decoder.bytes() != shown) distance = ruler.distance(meshInGridSteps(decoder, subject));
+    if (decoder.level() < 0) continue;  // no surface yet
+    if (decoder.bytes() != shown) distance = meter.distance(meshInGridSteps(decoder, subject));
     shown = decoder.bytes();
     Json json = point(bytes, distance);
     json["layerEnd"] = std::ranges::any_of(
@@ -77,11 +77,11 @@ Json prefixes(const std::vector<std::byte>& stream, const Subject& subject, cons
   return points;
 }
 
-Json otherBounds(const Subject& subject, const Ruler& ruler) {
+Json otherBounds(const Subject& subject, const DistanceMeter& meter) {
   Json points = Json::array();
   for (double bound : kOtherBounds) {
     const std::vector<std::byte> stream = encodeIsostar(subject, bound);
-    points.push_back(point(stream.size(), ruler.distance(decodedMesh(stream, subject))));
+    points.push_back(point(stream.size(), meter.distance(decodedMesh(stream, subject))));
     points.back()["maxError"] = bound;
   }
   return points;

@@ -4,7 +4,7 @@
 #include "bench/synthetic_field.h"
 #include "files/failure.h"
 #include "volume/placement.h"
-#include "volume/read_volume.h"
+#include "volume/volume_reader.h"
 
 namespace isostar::bench {
 namespace {
@@ -14,12 +14,18 @@ constexpr std::string_view kSynthetic = "synthetic:";
 Subject readField(const SubjectRequest& request) {
   const std::string& path = request.path;
   if (!path.starts_with(kSynthetic)) {
-    Subject subject{native::readVolume({.path = path}), 0, request.effort, {}};
+    Subject subject{.volume = native::readVolume({.path = path}),
+                    .isovalue = 0,
+                    .effort = request.effort,
+                    .mesh = {}};
     subject.isovalue = request.isovalue ? *request.isovalue : otsuThreshold(subject.volume.samples);
     return subject;
   }
   SyntheticField field = syntheticField(path.substr(kSynthetic.size()));
-  return {std::move(field.volume), request.isovalue.value_or(field.isovalue), request.effort, {}};
+  return {.volume = std::move(field.volume),
+          .isovalue = request.isovalue.value_or(field.isovalue),
+          .effort = request.effort,
+          .mesh = {}};
 }
 
 }  // namespace
@@ -32,7 +38,7 @@ Subject readSubject(const SubjectRequest& request) {
 
 Mesh marchingCubes(const native::LoadedVolume& volume, double isovalue) {
   Mesh mesh;
-  require(polygonize(volume.view(), isovalue, {Polygonizer::Cubes, Frame::Grid, false}, mesh),
+  require(polygonize(volume.view(), isovalue, {.frame = Frame::Grid, .normals = false}, mesh),
           "polygonize");
   toGridSteps(mesh, volume.placement);
   return mesh;

@@ -8,31 +8,31 @@
 
 namespace isostar::bench {
 
-/// What the command line names: a file, or "synthetic:NAME".
+/// The command line's description of a subject: a file, or "synthetic:NAME".
 struct SubjectRequest {
   std::string path;
-  std::optional<double> isovalue;  // none: the field's own, or Otsu's threshold
+  std::optional<double> isovalue;  // none: that of the synthetic field, or Otsu's threshold
   int effort = 1;                  // of isostar's encoder
 };
 
-/// One isosurface that all codecs have to carry.
+/// An isosurface that all codecs encode.
 struct Subject {
   native::LoadedVolume volume;
   double isovalue = 0;
   int effort = 1;
-  Mesh mesh;  // marching cubes' of the source, in grid steps, without normals
+  Mesh mesh;  // the source's marching cubes mesh in grid steps, without normals
 };
 
 Subject readSubject(const SubjectRequest&);
 
-/// Marching cubes on the source, as the competitors' encoders need it. Fails with one line.
+/// The marching cubes mesh of the source, which is the input of the mesh codecs. Throws a Failure.
 Mesh marchingCubes(const native::LoadedVolume&, double isovalue);
 
-/// Sample indices to grid steps along the smallest spacing: the unit of every distance in the
-/// comparison.
+/// Converts sample indices to grid steps along the smallest spacing, the unit of all distances in
+/// the comparison.
 void toGridSteps(Mesh&, const Placement&);
 
-/// Ends the program's work with one line where a call of the codec fails.
+/// Throws a Failure if a call of the codec has failed.
 void require(Error, const char* what);
 
 }  // namespace isostar::bench

@@ -6,14 +6,15 @@
 
 namespace isostar::bench {
 
-/// A subcommand about one isosurface, into `request`, which must outlive the parsing.
+/// Adds a subcommand about one isosurface. Its options are stored in `request`, which must outlive
+/// the parsing.
 CLI::App& addSubject(CLI::App&, const std::string& name, const std::string& help,
                      SubjectRequest& request);
 
-/// --points: how exactly distances are measured.
+/// --points: the number of points of each distance measurement.
 void addPoints(CLI::App&, size_t& points);
 
-/// --prefixes: how densely the curve of a stream is drawn.
+/// --prefixes: the number of points on the rate-distortion curve of a stream.
 void addPrefixes(CLI::App&, int& prefixes);
 
 }  // namespace isostar::bench

@@ -30,7 +30,7 @@ double gyroid(double x, double y, double z) {
   return std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x);
 }
 
-/// White noise: what no codec can predict (splitmix64 of the sample's place).
+/// White noise, which no codec can predict (splitmix64 of the sample's index).
 double noise(double x, double y, double z) {
   uint64_t n = static_cast<uint64_t>(x + 64 * (y + 64 * z)) * 0x9E3779B97F4A7C15;
   n = (n ^ n >> 30) * 0xBF58476D1CE4E5B9;
@@ -51,7 +51,7 @@ const std::map<std::string, Recipe>& recipes() {
 SyntheticField syntheticField(const std::string& name) {
   const auto found = recipes().find(name);
   if (found == recipes().end())
-    throw native::Failure(name, "not one of sphere, torus, gyroid, noise");
+    throw native::Failure(name, "is not one of sphere, torus, gyroid, noise");
   const Recipe& recipe = found->second;
   SyntheticField field;
   field.volume.size = recipe.size;

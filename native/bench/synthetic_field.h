@@ -12,7 +12,7 @@ struct SyntheticField {
   double isovalue = 0;
 };
 
-/// "sphere", "torus", "gyroid" or "noise"; the same on every machine. Fails with one line on
+/// "sphere", "torus", "gyroid" or "noise", reproducible on every machine. Throws a Failure on
 /// another name.
 SyntheticField syntheticField(const std::string& name);
 

@@ -5,8 +5,8 @@
 #include "bench/stream_points.h"
 #include "files/failure.h"
 #include "files/input_file.h"
-#include "tetrahedra/formats.h"
 #include "tetrahedra/marching_tetrahedra.h"
+#include "tetrahedra/tetrahedra_reader.h"
 #include "volume/placement.h"
 
 namespace isostar::bench {
@@ -18,8 +18,8 @@ Json json(const measure::Distance& distance) {
   return {{"rms", distance.rms}, {"max", distance.max}};
 }
 
-/// World coordinates in steps of a grid, still at their place in the world.
-void measureInSteps(Mesh& mesh, double step) {
+/// Scales world coordinates to grid steps; the origin stays that of the world.
+void scaleToSteps(Mesh& mesh, double step) {
   for (float& x : mesh.positions) x = static_cast<float>(x / step);
 }
 
@@ -31,21 +31,20 @@ Json tetrahedraRate(const TetrahedraRequest& request, const SizeOptions& options
   const double step = native::smallestSpacing(info.placement);
   Mesh decoded,
       source = native::isosurfaceOf(native::readTetrahedra(request.path, {}), request.isovalue);
-  require(decodeIsostar(stream).mesh({Polygonizer::Cubes, Frame::World, false}, decoded),
-          "polygonize");
-  measureInSteps(decoded, step);
-  measureInSteps(source, step);
+  require(decodeIsostar(stream).mesh({.normals = false}, decoded), "polygonize");
+  scaleToSteps(decoded, step);
+  scaleToSteps(source, step);
   const auto distance = measure::surfaceDistance(decoded, source);
-  if (!distance) throw native::Failure(request.path, "no surface to compare");
-  const Ruler ruler(source, options.points);
+  if (!distance) throw native::Failure(request.path, "has no surface to compare");
+  const DistanceMeter meter(source, options.points);
   return {{"size", info.size},
           {"step", step},
           {"bytes", stream.size()},
           {"bound", info.maxError},
           {"there", json(distance->aToB)},
           {"back", json(distance->bToA)},
-          {"draco", dracoPoints(source, ruler)},
-          {"simplified", simplifiedPoints(source, ruler)}};
+          {"draco", dracoPoints(source, meter)},
+          {"simplified", simplifiedPoints(source, meter)}};
 }
 
 }  // namespace isostar::bench

@@ -8,14 +8,14 @@
 namespace isostar::bench {
 
 struct TetrahedraRequest {
-  std::string path;    // of the tetrahedra
-  std::string stream;  // that `isostar encode` has made of them
+  std::string path;    // the tetrahedra
+  std::string stream;  // their stream, by `isostar encode`
   double isovalue = 0;
 };
 
-/// A stream's distance to the isosurface of the tetrahedra themselves (§1), both ways, from every
-/// vertex, and what Draco and simplified meshes of that isosurface cost at any distance; in grid
-/// steps of the stream. Fails with one line where either has no surface.
+/// The distance of a stream's surface to the isosurface of the tetrahedra (§1), in both directions
+/// and from every vertex, with rate-distortion points of Draco and of simplified meshes of that
+/// isosurface. All in grid steps of the stream. Throws a Failure if either has no surface.
 nlohmann::ordered_json tetrahedraRate(const TetrahedraRequest&, const SizeOptions&);
 
 }  // namespace isostar::bench

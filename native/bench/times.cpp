@@ -4,7 +4,7 @@
 
 #include "bench/draco_codec.h"
 #include "bench/isostar_codec.h"
-#include "bench/race.h"
+#include "bench/shortest_times.h"
 #include "files/output_file.h"
 
 namespace isostar::bench {
@@ -16,7 +16,7 @@ using Bytes = std::vector<std::byte>;
 constexpr int kBits = 10;
 
 Json encodeTimes(const Subject& subject, const TimeOptions& options) {
-  const auto best = race(
+  const auto best = shortestTimes(
       {[&] { marchingCubes(subject.volume, subject.isovalue); },
        [&] { encodeIsostar(subject, EncodeOptions{}.maxError); },
        [&] { encodeDraco(subject.mesh, 7, kBits); }, [&] { encodeDraco(subject.mesh, 10, kBits); }},
@@ -28,10 +28,10 @@ Json encodeTimes(const Subject& subject, const TimeOptions& options) {
 Json decodeTimes(const Bytes& stream, const Bytes& draco7, const Bytes& draco10,
                  const TimeOptions& options) {
   const auto best =
-      race({[&] { decodeIsostar(stream); }, [&] { meshOf(decodeIsostar(stream), false); },
-            [&] { meshOf(decodeIsostar(stream), true); }, [&] { decodeDraco(draco7); },
-            [&] { decodeDraco(draco10); }},
-           options.milliseconds);
+      shortestTimes({[&] { decodeIsostar(stream); }, [&] { meshOf(decodeIsostar(stream), false); },
+                     [&] { meshOf(decodeIsostar(stream), true); }, [&] { decodeDraco(draco7); },
+                     [&] { decodeDraco(draco10); }},
+                    options.milliseconds);
   return {{"isostar", best[0]},
           {"isostarPolygonized", best[1]},
           {"isostarWithNormals", best[2]},

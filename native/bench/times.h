@@ -8,11 +8,11 @@
 namespace isostar::bench {
 
 struct TimeOptions {
-  double milliseconds = 1500;  // how long each race lasts, more or less
-  std::string keep;            // a folder for the two files that were decoded, or none
+  double milliseconds = 1500;  // the approximate duration of each measurement
+  std::string keep;            // a folder for the two decoded files; empty: they are not kept
 };
 
-/// The shortest times of isostar and of Draco at 10 bits, in turns, in milliseconds.
+/// The shortest times of isostar and of Draco at 10 bits, in milliseconds.
 nlohmann::ordered_json times(const Subject&, const TimeOptions&);
 
 }  // namespace isostar::bench

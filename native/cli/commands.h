@@ -4,7 +4,7 @@ namespace CLI {
 class App;
 }
 
-// One subcommand each: declared to the command line parser here, run when the line asks for it.
+// Each function adds a subcommand to the command line parser, which runs it if it is selected.
 namespace isostar::native {
 
 void addEncode(CLI::App&);

@@ -8,14 +8,14 @@
 namespace isostar::native {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{1000}, kRedraw{100};
+constexpr std::chrono::milliseconds kDelay{1000}, kRedraw{100};
 constexpr int kWidth = 40;
 
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)),
-      next_(Clock::now() + kPatience),
+      next_(Clock::now() + kDelay),
       terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {

@@ -5,8 +5,8 @@
 
 namespace isostar::native {
 
-/// A bar on standard error while work takes more than a second; silent in a pipe, gone when the
-/// work is done.
+/// A progress bar on standard error for work of more than a second. It is shown only on a terminal
+/// and removed by the destructor.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);

@@ -45,11 +45,12 @@ void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo& in
   std::string list;
   for (const double each : held) list += text("%s%.10g", list.empty() ? "" : ", ", each);
   throw Failure(path, text("does not hold isovalue %.10g; it holds %s%s", *isovalue, list.c_str(),
-                           held.size() > 1 ? " and what lies between" : ""));
+                           held.size() > 1 ? " and values in between" : ""));
 }
 
 Mesh surfaceOf(const Decoder& decoder, const MeshOptions& options, const std::string& path) {
-  if (decoder.info().dimension == 2) throw Failure(path, "holds an image's contours, no surface");
+  if (decoder.info().dimension == 2)
+    throw Failure(path, "holds an image's contours, which are no surface");
   Mesh mesh;
   if (const Error error = decoder.mesh(options, mesh); error != Error::None)
     throw Failure(path, describe(error));

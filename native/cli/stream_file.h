@@ -9,22 +9,22 @@
 
 namespace isostar::native {
 
-/// A native process may spend what the machine has, where the library's defaults suit a browser
-/// tab.
+/// Limits for a native process: three quarters of the machine's memory, where the library's
+/// defaults suit a browser tab.
 Limits nativeLimits();
 
-/// Header and layer heads; fails with one line naming `path`.
+/// Reads the header and the layer heads. Throws a Failure naming `path`.
 StreamInfo inspectStream(std::span<const std::byte>, const std::string& path);
 
-/// All that a stream, or a prefix of one, can show. Fails with one line where it is damaged, or
-/// ends within its header.
+/// Decodes a stream or a prefix of one. Throws a Failure if it is damaged or ends inside its
+/// header.
 Decoder decodeStream(std::span<const std::byte>, const std::string& path);
 
-/// Fails with one line where a stream has no such isovalue, nor two around it.
+/// Throws a Failure if the isovalue is outside the range of the stream's isovalues.
 void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo&,
                      const std::string& path);
 
-/// The decoder's surface; fails with one line naming `path`.
+/// The decoder's surface. Throws a Failure naming `path`.
 Mesh surfaceOf(const Decoder&, const MeshOptions&, const std::string& path);
 
 }  // namespace isostar::native

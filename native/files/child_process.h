@@ -8,14 +8,14 @@
 
 namespace isostar::native {
 
-/// What a child process leaves to its parent: values in memory, taken in the order in which they
-/// were put.
-class Handover {
+/// The output of a child process: values in shared memory. The parent takes them in the order in
+/// which the child put them.
+class ChildOutput {
  public:
-  explicit Handover(std::string path);  // of the file in work, for complaints
-  ~Handover();
-  Handover(const Handover&) = delete;
-  Handover& operator=(const Handover&) = delete;
+  explicit ChildOutput(std::string path);  // of the file being read, for error messages
+  ~ChildOutput();
+  ChildOutput(const ChildOutput&) = delete;
+  ChildOutput& operator=(const ChildOutput&) = delete;
 
   template <class Value>
   void put(const Value& value) {
@@ -27,10 +27,10 @@ class Handover {
     put(values.size());
     write(values.data(), values.size() * sizeof(Value));
   }
-  void put(const std::string& words) { put(std::vector<char>(words.begin(), words.end())); }
+  void put(const std::string& text) { put(std::vector<char>(text.begin(), text.end())); }
   void put(const std::vector<std::string>& lines);
 
-  /// Fail with one line where the child has put less.
+  /// Throws a Failure if the child has put less.
   template <class Value>
   void take(Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -43,13 +43,13 @@ class Handover {
     values.resize(count);
     read(values.data(), count * sizeof(Value));
   }
-  void take(std::string& words);
+  void take(std::string& text);
   void take(std::vector<std::string>& lines);
 
   const std::string& path() const { return path_; }
 
  private:
-  friend void runInChild(Handover&, const std::function<void(Handover&)>& work);
+  friend void runInChild(ChildOutput&, const std::function<void(ChildOutput&)>& work);
   void write(const void* bytes, size_t count);
   void read(void* bytes, size_t count);
   void rewind();
@@ -58,9 +58,22 @@ class Handover {
   int file_;
 };
 
-/// Does `work` in a child process, which puts what it found. The libraries for foreign formats
-/// assert, crash and print on damaged files, and a stranger's file must not take the command down:
-/// a child that dies, or a Failure in it, becomes a Failure here, and what it prints is not shown.
-void runInChild(Handover&, const std::function<void(Handover&)>& work);
+/// Runs `work` in a child process. Files are untrusted input, and the libraries for foreign formats
+/// assert, crash and print on damaged ones: a child that dies and a Failure in the child both
+/// become a Failure here. What the child prints is discarded.
+void runInChild(ChildOutput&, const std::function<void(ChildOutput&)>& work);
+
+/// Runs `read` in a child process and returns its result, of which only `members` are transferred.
+template <class Result, class Read, class... Members>
+Result readInChild(const std::string& path, const Read& read, Members Result::*... members) {
+  ChildOutput output(path);
+  runInChild(output, [&](ChildOutput& to) {
+    const Result result = read();
+    (to.put(result.*members), ...);
+  });
+  Result result;
+  (output.take(result.*members), ...);
+  return result;
+}
 
 }  // namespace isostar::native

@@ -5,7 +5,7 @@
 
 namespace isostar::native {
 
-/// The input or the output was at fault: exit status 1. One line: file, what, where.
+/// An error in the input or the output: exit status 1. The message is one line: file, what, where.
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -13,7 +13,7 @@ class Failure : public std::runtime_error {
       : std::runtime_error(file + ": " + what) {}
 };
 
-/// The command line was at fault: exit status 2.
+/// An error in the command line: exit status 2.
 class UsageFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

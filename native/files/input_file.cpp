@@ -38,8 +38,7 @@ std::vector<std::byte> readFile(const std::string& path) {
   if (file.number < 0 || ::fstat(file.number, &about) != 0) fail(path);
   std::vector<std::byte> bytes(S_ISREG(about.st_mode) ? static_cast<size_t>(about.st_size) : 0);
   for (size_t filled = 0;;) {
-    // A pipe has no length: room grows as it comes, and one byte more than a file's length shows
-    // its end.
+    // A pipe has no length: the buffer grows while data arrives.
     if (filled == bytes.size()) bytes.resize(filled + std::max<size_t>(filled, 65536));
     const ssize_t got = ::read(file.number, bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno != EINTR) fail(path);

@@ -10,7 +10,7 @@ namespace isostar::native {
 /// All bytes of a file; "-" is standard input.
 std::vector<std::byte> readFile(const std::string& path);
 
-/// The length of a regular file. Fails with one line where there is none.
+/// The length of a regular file in bytes. Throws a Failure if it does not exist or is a folder.
 uint64_t fileSize(const std::string& path);
 
 }  // namespace isostar::native

@@ -30,7 +30,8 @@ bool isSpecial(const std::string& target) {
   return ::stat(target.c_str(), &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
 }
 
-/// Renaming must replace the file that a link points to, not the link.
+/// The target of a symbolic link: renaming must replace the file that the link points to, not the
+/// link.
 std::string resolve(const std::string& target) {
   std::error_code ignored;
   const auto resolved = std::filesystem::canonical(target, ignored);

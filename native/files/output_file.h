@@ -7,9 +7,9 @@
 
 namespace isostar::native {
 
-/// A file that appears whole or not at all: it is written beside the target and renamed by
-/// commit(). A target that is no regular file ("-" for standard output, /dev/null, a pipe) is
-/// written directly.
+/// A file that is written completely or not at all: data goes to a temporary file beside the
+/// target, which commit() renames. A target that is not a regular file ("-" for standard output,
+/// /dev/null, a pipe) is written directly.
 class OutputFile {
  public:
   explicit OutputFile(std::string target);
@@ -30,10 +30,10 @@ class OutputFile {
   std::vector<std::byte> buffer_;
 };
 
-/// Says before long work what OutputFile would say after it.
+/// Checks before long work whether OutputFile could write to the target. Throws a Failure if not.
 void requireWritable(const std::string& target);
 
-/// Refuses a target that is one of the command's own inputs.
+/// Throws a UsageFault if the target is the input.
 void requireDifferent(const std::string& input, const std::string& target);
 
 }  // namespace isostar::native

@@ -28,14 +28,14 @@ std::string readableBytes(uint64_t bytes) {
   return text("%.*f %s", decimals, value, kUnits[unit]);
 }
 
-std::string oneLine(std::string words) {
+std::string oneLine(std::string message) {
   std::replace_if(
-      words.begin(), words.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
-  const auto sameSpace = [](char a, char b) { return a == ' ' && b == ' '; };
-  words.erase(std::unique(words.begin(), words.end(), sameSpace), words.end());
-  while (!words.empty() && (words.back() == ' ' || words.back() == '.')) words.pop_back();
-  words.erase(0, std::min(words.find_first_not_of(' '), words.size()));
-  return words;
+      message.begin(), message.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
+  const auto bothSpaces = [](char a, char b) { return a == ' ' && b == ' '; };
+  message.erase(std::unique(message.begin(), message.end(), bothSpaces), message.end());
+  while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
+  message.erase(0, std::min(message.find_first_not_of(' '), message.size()));
+  return message;
 }
 
 std::string extensionOf(const std::string& path) {

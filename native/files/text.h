@@ -11,10 +11,10 @@ namespace isostar::native {
 /// "14.8 MB": three significant digits, decimal units.
 std::string readableBytes(uint64_t bytes);
 
-/// What a library said, as one line without a full stop.
-std::string oneLine(std::string words);
+/// The message of a library as one line without a full stop.
+std::string oneLine(std::string message);
 
-/// The extension in lower case, ".nii.gz" in one piece; empty where there is none.
+/// The file extension in lower case; ".nii.gz" counts as one extension. Empty if there is none.
 std::string extensionOf(const std::string& path);
 
 }  // namespace isostar::native

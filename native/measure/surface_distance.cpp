@@ -5,19 +5,19 @@
 #include <limits>
 #include <vector>
 
-#include "measure/in_parallel.h"
+#include "measure/parallel_tasks.h"
 
 namespace isostar::measure {
 namespace {
 
 constexpr size_t kFewestPoints = 50000;
-constexpr size_t kChunks = 64;  // fixed, so that sums do not depend on the number of threads
+constexpr size_t kChunks = 64;  // constant, so that sums do not depend on the number of threads
 
-/// A sequence of numbers in [0, 1) that is the same everywhere (splitmix64).
-class Dice {
+/// A reproducible sequence of pseudo-random numbers in [0, 1) (splitmix64).
+class RandomSequence {
  public:
-  explicit Dice(uint64_t seed) : state_(seed) {}
-  double roll() {
+  explicit RandomSequence(uint64_t seed) : state_(seed) {}
+  double next() {
     state_ += 0x9E3779B97F4A7C15;
     uint64_t z = state_;
     z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9;
@@ -41,14 +41,14 @@ struct Sums {
   }
 };
 
-/// The area of all triangles before each one in the tree's order, and of all.
+/// The total area of the triangles before each one in the tree's order, and of all triangles.
 std::vector<double> areasBefore(const TriangleTree& tree) {
   std::vector<double> areas(tree.size() + 1);
   for (size_t t = 0; t < tree.size(); ++t) areas[t + 1] = areas[t] + tree.triangle(t).area();
   return areas;
 }
 
-/// One direction of the measurement, cut into chunks that any thread may take.
+/// One direction of the measurement, divided into chunks that any thread may process.
 class Direction {
  public:
   Direction(const Measurable& from, const Measurable& to, size_t mostPoints)
@@ -73,7 +73,7 @@ class Direction {
     Sums all;
     for (const Sums& chunk : chunks_) all.add(chunk);
     const double count = static_cast<double>(std::max<size_t>(1, all.count));
-    return {all.sum / count, std::sqrt(all.squares / count), all.max};
+    return {.mean = all.sum / count, .rms = std::sqrt(all.squares / count), .max = all.max};
   }
 
  private:
@@ -89,28 +89,28 @@ class Direction {
     }
   }
 
-  /// One point in each of `points_` equal shares of the area.
+  /// One random point in each of `points_` equal parts of the area.
   void measurePoints(size_t chunk) {
     if (areas_.back() <= 0) return;
-    Dice dice(chunk);
+    RandomSequence random(chunk);
     Sums& sums = chunks_[chunk];
     uint32_t near = 0;
     size_t t = 0;
     const double share = areas_.back() / static_cast<double>(points_);
     for (size_t p = boundary(points_, chunk); p < boundary(points_, chunk + 1); ++p) {
-      const double at = share * (static_cast<double>(p) + dice.roll());
+      const double at = share * (static_cast<double>(p) + random.next());
       if (t == 0)
         t = static_cast<size_t>(std::upper_bound(areas_.begin() + 1, areas_.end() - 1, at) -
                                 areas_.begin()) -
             1;
       while (t + 1 < tree_.size() && areas_[t + 1] <= at) ++t;
-      const double distance = to_.distance(pointIn(tree_.triangle(t), dice), near);
-      sums.add({distance, distance * distance, distance, 1});
+      const double distance = to_.distance(pointIn(tree_.triangle(t), random), near);
+      sums.add({.sum = distance, .squares = distance * distance, .max = distance, .count = 1});
     }
   }
 
-  static Vector3 pointIn(const Triangle& triangle, Dice& dice) {
-    double u = dice.roll(), v = dice.roll();
+  static Vector3 pointIn(const Triangle& triangle, RandomSequence& random) {
+    double u = random.next(), v = random.next();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     return triangle.at(u, v);
   }
@@ -122,21 +122,22 @@ class Direction {
   std::vector<Sums> chunks_;
   std::vector<uint8_t> used_;
   size_t points_ = 0;
-  size_t every_ = 1;  // how many vertices share one that is measured
+  size_t every_ = 1;  // every how many vertices one is measured
 };
 
 }  // namespace
 
 Distance SurfaceDistance::symmetric() const {
-  return {std::max(aToB.mean, bToA.mean), std::max(aToB.rms, bToA.rms),
-          std::max(aToB.max, bToA.max)};
+  return {.mean = std::max(aToB.mean, bToA.mean),
+          .rms = std::max(aToB.rms, bToA.rms),
+          .max = std::max(aToB.max, bToA.max)};
 }
 
 Measurable::Measurable(const Mesh& measured) : mesh(measured), tree(measured) {}
 
 SurfaceDistance surfaceDistance(const Measurable& a, const Measurable& b, size_t points) {
   Direction aToB(a, b, points), bToA(b, a, points);
-  inParallel(2 * kChunks, [&](size_t task) {
+  runInParallel(2 * kChunks, [&](size_t task) {
     task < kChunks ? aToB.measure(task) : bToA.measure(task - kChunks);
   });
   return {aToB.result(), bToA.result()};
@@ -145,7 +146,7 @@ SurfaceDistance surfaceDistance(const Measurable& a, const Measurable& b, size_t
 std::optional<SurfaceDistance> surfaceDistance(const Mesh& a, const Mesh& b) {
   if (a.indices.empty() || b.indices.empty()) return {};
   std::optional<Measurable> readyA, readyB;
-  inParallel(2, [&](size_t which) { which == 0 ? readyA.emplace(a) : readyB.emplace(b); });
+  runInParallel(2, [&](size_t which) { which == 0 ? readyA.emplace(a) : readyB.emplace(b); });
   return surfaceDistance(*readyA, *readyB, std::numeric_limits<size_t>::max());
 }
 

@@ -11,14 +11,14 @@ struct Distance {
   double mean = 0, rms = 0, max = 0;
 };
 
-/// How far two surfaces are apart, in the unit of their coordinates.
+/// The distance between two surfaces, in the unit of their coordinates.
 struct SurfaceDistance {
   Distance aToB, bToA;
-  Distance symmetric() const;  // the larger of the two directions, each for itself
+  Distance symmetric() const;  // the larger value of the two directions for each measure
 };
 
-/// A mesh made ready for measuring, for who measures it more than once. The mesh must outlive it
-/// and have triangles.
+/// A mesh with its search tree, for repeated measurements. The mesh must outlive it and have
+/// triangles.
 struct Measurable {
   explicit Measurable(const Mesh&);
 
@@ -26,13 +26,13 @@ struct Measurable {
   TriangleTree tree;
 };
 
-/// Distances are exact, from points to the other mesh's triangles; the points are the vertices (for
-/// the maximum) and about as many points spread evenly over the area (for all three). The same
-/// meshes give the same numbers. Nothing where either mesh has no triangle.
+/// Exact distances from points of one mesh to the triangles of the other. The points are the
+/// vertices (for the maximum) and about as many points distributed evenly over the area (for all
+/// three measures). Results are reproducible. Nothing if either mesh has no triangle.
 std::optional<SurfaceDistance> surfaceDistance(const Mesh& a, const Mesh& b);
 
-/// The same from at most `points` points and `points` vertices of each mesh: quicker, and the
-/// maximum may miss some.
+/// The same from at most `points` points and `points` vertices of each mesh: faster, and the
+/// maximum may be too small.
 SurfaceDistance surfaceDistance(const Measurable& a, const Measurable& b, size_t points);
 
 }  // namespace isostar::measure

@@ -6,8 +6,8 @@
 namespace isostar::measure {
 namespace {
 
-constexpr double kFlat =
-    1e-14;  // of the sides' squares: such a triangle has no inside that rounding leaves intact
+/// As a fraction of the product of two squared sides: below it, rounding destroys the interior.
+constexpr double kFlat = 1e-14;
 
 Vector3 offsetFromSegment(const Vector3& point, const Vector3& from, const Vector3& to) {
   const Vector3 along = to - from, offset = point - from;
@@ -16,8 +16,8 @@ Vector3 offsetFromSegment(const Vector3& point, const Vector3& from, const Vecto
   return offset - t * along;
 }
 
-// Which corner, edge or inside is nearest shows in the point's products with two edges (Ericson,
-// Real-Time Collision Detection, 5.1.5).
+/// From the nearest point of the triangle. Dot products with two edges decide whether that is a
+/// corner, on an edge, or in the interior (Ericson, Real-Time Collision Detection, 5.1.5).
 inline Vector3 offsetFrom(const Vector3& point, const Triangle& t) {
   const Vector3 ab = t.b - t.a, ac = t.c - t.a;
   const Vector3 pa = point - t.a, pb = point - t.b, pc = point - t.c;

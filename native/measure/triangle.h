@@ -13,8 +13,8 @@ struct Triangle {
   Vector3 at(double u, double v) const { return a + u * (b - a) + v * (c - a); }
 };
 
-/// From the point to the nearest of the triangle's points, squared; also where the triangle is a
-/// segment or a point.
+/// The squared distance from the point to the triangle, which may be degenerate to a segment or a
+/// point.
 double squaredDistance(const Vector3& point, const Triangle&);
 Vector3 nearestPoint(const Vector3& point, const Triangle&);
 

@@ -6,12 +6,12 @@
 namespace isostar::measure {
 namespace {
 
-constexpr double kCurveSteps = 1 << 21;  // along each axis: three of them fill a 64-bit key
+constexpr double kCurveSteps = 1 << 21;  // along each axis: 3 × 21 bits fit a 64-bit key
 constexpr float kFar = INFINITY;
-constexpr float kRounding = 4e-7f;       // more than single precision can lose of a coordinate
-constexpr float kShortened = 1 - 1e-5f;  // and of a distance far outside
+constexpr float kRounding = 4e-7f;       // bounds the rounding error of a coordinate
+constexpr float kShortened = 1 - 1e-5f;  // compensates the rounding error of a distance
 
-/// The bits of a 21-bit number, two places apart from each other.
+/// Inserts two zero bits between the bits of a 21-bit number.
 uint64_t spread(uint64_t bits) {
   bits = (bits | bits << 32) & 0x001F00000000FFFF;
   bits = (bits | bits << 16) & 0x001F0000FF0000FF;
@@ -44,8 +44,8 @@ TriangleTree::TriangleTree(const Mesh& mesh) : triangles_(mesh.indices.size() / 
   buildFans();
 }
 
-Triangle TriangleTree::triangle(size_t place) const {
-  const Corners& c = triangles_[place];
+Triangle TriangleTree::triangle(size_t position) const {
+  const Corners& c = triangles_[position];
   return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}};
 }
 
@@ -118,7 +118,7 @@ void TriangleTree::buildFans() {
     for (size_t axis = 0; axis < 3; ++axis) {
       const float reach = std::max(std::abs(box.low[axis]), std::abs(box.high[axis]));
       const float rounding =
-          reach < kFar ? kRounding * reach : 0;  // an empty run is infinitely far and stays there
+          reach < kFar ? kRounding * reach : 0;  // the box of an empty run stays infinitely far
       parent.low[axis][(node - 1) % kFan] = box.low[axis] - rounding;
       parent.high[axis][(node - 1) % kFan] = box.high[axis] + rounding;
     }
@@ -144,7 +144,7 @@ double TriangleTree::distance(const Vector3& point, uint32_t& near) const {
     size_t node;
     float distance;
   };
-  std::array<Waiting, 64> waiting;  // three a level of the tree, the nearest last
+  std::array<Waiting, 64> waiting;  // at most three per depth of the tree, the nearest last
   waiting[0] = {0, 0};
   for (size_t count = 1; count > 0;) {
     const Waiting at = waiting[--count];
@@ -158,10 +158,10 @@ double TriangleTree::distance(const Vector3& point, uint32_t& near) const {
     for (size_t child = 0; child < kFan; ++child) {
       const Waiting next{kFan * at.node + 1 + child, distances[child]};
       if (next.distance >= best) continue;
-      size_t place = count++;
-      for (; place > first && waiting[place - 1].distance < next.distance; --place)
-        waiting[place] = waiting[place - 1];
-      waiting[place] = next;
+      size_t slot = count++;
+      for (; slot > first && waiting[slot - 1].distance < next.distance; --slot)
+        waiting[slot] = waiting[slot - 1];
+      waiting[slot] = next;
     }
   }
   return std::sqrt(best);

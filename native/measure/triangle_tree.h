@@ -9,29 +9,30 @@
 
 namespace isostar::measure {
 
-/// A mesh's triangles along a Morton curve, in a complete tree of boxes above runs of a few of
-/// them.
+/// A mesh's triangles in the order of a Morton curve, in a complete tree of bounding boxes. A leaf
+/// is a run of a few triangles.
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh&);
 
   size_t size() const { return triangles_.size(); }
-  Triangle triangle(
-      size_t place) const;  // in the order of the curve: neighbours are near each other
-  uint32_t index(size_t place) const { return order_[place]; }  // in the mesh
+  /// `position` counts in the order of the curve.
+  Triangle triangle(size_t position) const;
+  uint32_t index(size_t position) const { return order_[position]; }  // in the mesh
 
-  /// From the point to the surface, exactly. `near` is the place of the nearest triangle: on entry
-  /// a guess, which saves time where points follow each other closely. The tree must not be empty.
+  /// The exact distance from the point to the surface. `near` is the position of the nearest
+  /// triangle: on entry a guess, which saves time for a sequence of close points. The tree must not
+  /// be empty.
   double distance(const Vector3& point, uint32_t& near) const;
 
  private:
   static constexpr size_t kRun = 4, kFan = 4;
 
-  /// Four numbers that the processor computes with at once.
+  /// Four numbers in one vector register.
   using Lanes = float __attribute__((vector_size(kFan * sizeof(float))));
 
-  /// The boxes of a node's children, side by side. They are a little too large, so that distances
-  /// to them, in single precision, are never too long.
+  /// The boxes of a node's four children. They are slightly enlarged, so that distances to them in
+  /// single precision are lower bounds.
   struct Fan {
     std::array<Lanes, 3> low, high;
     Lanes squaredDistances(const std::array<float, 3>&) const;
@@ -49,8 +50,8 @@ class TriangleTree {
 
   std::vector<Corners> triangles_;
   std::vector<uint32_t> order_;
-  std::vector<Fan> fans_;  // node n has the children 4n + 1 … 4n + 4; nodes from fans_.size() on
-                           // are runs of triangles
+  /// Node n has the children 4n + 1 … 4n + 4; nodes from fans_.size() on are runs of triangles.
+  std::vector<Fan> fans_;
 };
 
 }  // namespace isostar::measure

@@ -5,17 +5,18 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "mesh_io/formats.h"
+#include "mesh_io/glb_format.h"
+#include "mesh_io/mesh_formats.h"
 
 namespace isostar::native {
 namespace {
 
 using Json = nlohmann::json;
-using Matrix = std::array<double, 16>;  // column-major, as glTF has it
+using Matrix = std::array<double, 16>;  // column-major, as in glTF
+using namespace glb;
 
-constexpr uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr int kTriangles = 4, kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126;
-constexpr uint64_t kMostVertices = 1ull << 28;  // nodes may name one mesh again and again
+constexpr int kTriangles = 4;
+constexpr uint64_t kMostVertices = 1ull << 28;  // many nodes may refer to one mesh
 constexpr Matrix kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 Matrix product(const Matrix& a, const Matrix& b) {
@@ -26,7 +27,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-/// A node's own transformation: a matrix, or translation, rotation (a quaternion x, y, z, w) and
+/// A node's local transformation: a matrix, or translation, rotation (a quaternion x, y, z, w) and
 /// scale.
 Matrix transformOf(const Json& node) {
   if (node.contains("matrix")) return node.at("matrix").get<Matrix>();
@@ -51,24 +52,24 @@ Matrix transformOf(const Json& node) {
           1};
 }
 
-/// The triangles of a scene's nodes, each where its node puts it.
+/// Collects the triangles of all nodes of a scene, transformed to the scene's coordinates.
 class SceneReader {
  public:
   SceneReader(std::span<const std::byte> file, const std::string& path) : path_(path) {
     std::array<uint32_t, 3> head{};
-    if (!copy(file, 0, head) || head[0] != kMagic) fail("is no GLB file");
-    if (head[1] != 2) fail(text("is of GLB version %u; 2 is read", head[1]));
-    std::string_view words;
+    if (!copy(file, 0, head) || head[0] != kMagic) fail("is not a GLB file");
+    if (head[1] != kVersion) fail(text("is of GLB version %u; only version 2 is read", head[1]));
+    std::string_view description;
     for (size_t at = 12; at < file.size();) {
       std::array<uint32_t, 2> chunk{};
       if (!copy(file, at, chunk) || chunk[0] > file.size() - at - 8) fail("is cut short");
       const auto bytes = file.subspan(at + 8, chunk[0]);
       if (chunk[1] == kJsonChunk)
-        words = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+        description = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
       if (chunk[1] == kBinaryChunk) binary_ = bytes;
       at += 8 + size_t{chunk[0]};
     }
-    json_ = Json::parse(words);
+    json_ = Json::parse(description);
   }
 
   Mesh read() {
@@ -76,7 +77,7 @@ class SceneReader {
       for (const Json& each : json_.at("extensionsRequired")) {
         const auto name = each.get<std::string>();
         if (name.find("compression") != std::string::npos)
-          fail("is compressed by " + name + ", which is not read");
+          fail("is compressed by " + name + ", which is not supported");
       }
     }
     const Json scenes = json_.value("scenes", Json::array());
@@ -85,7 +86,7 @@ class SceneReader {
       waiting_.push_back({node.get<size_t>(), kIdentity});
     for (size_t visited = 0; !waiting_.empty(); ++visited) {
       if (visited == json_.at("nodes").size())
-        fail("is damaged: a node is part of itself, or of two others");
+        fail("is damaged: a node has two parents, or contains itself");
       const auto [index, above] = waiting_.back();
       waiting_.pop_back();
       visit(json_.at("nodes").at(index), above);
@@ -101,11 +102,15 @@ class SceneReader {
 
   [[noreturn]] void fail(const std::string& what) const { throw Failure(path_, what); }
 
-  template <class Words>
-  static bool copy(std::span<const std::byte> from, size_t at, Words& words) {
-    if (at > from.size() || from.size() - at < sizeof words) return false;
-    std::memcpy(words.data(), from.data() + at, sizeof words);
+  template <class Array>
+  static bool copy(std::span<const std::byte> from, size_t at, Array& to) {
+    if (at > from.size() || from.size() - at < sizeof to) return false;
+    std::memcpy(to.data(), from.data() + at, sizeof to);
     return true;
+  }
+
+  static size_t bytesOf(int type) {
+    return type == kUnsignedByte ? 1 : type == kUnsignedShort ? 2 : 4;
   }
 
   void visit(const Json& node, const Matrix& above) {
@@ -119,17 +124,19 @@ class SceneReader {
     }
   }
 
-  /// An accessor whose bytes are all there.
+  /// An accessor, which is checked to lie within the binary chunk.
   Accessor accessor(size_t index, const char* shape, size_t width) const {
     const Json& json = json_.at("accessors").at(index);
     if (json.contains("sparse") || !json.contains("bufferView"))
-      fail("has a sparse accessor, which is not read");
+      fail("has a sparse accessor, which is not supported");
     const Json& view = json_.at("bufferViews").at(json.at("bufferView").get<size_t>());
     const auto start = view.value("byteOffset", size_t{0}),
                length = view.at("byteLength").get<size_t>();
-    Accessor found{json.value("byteOffset", size_t{0}), view.value("byteStride", size_t{0}),
-                   json.at("count").get<size_t>(), json.at("componentType").get<int>()};
-    const size_t each = width * (found.type == kByte ? 1 : found.type == kShort ? 2 : 4);
+    Accessor found{.offset = json.value("byteOffset", size_t{0}),
+                   .stride = view.value("byteStride", size_t{0}),
+                   .count = json.at("count").get<size_t>(),
+                   .type = json.at("componentType").get<int>()};
+    const size_t each = width * bytesOf(found.type);
     if (found.stride == 0) found.stride = each;
     const bool fits =
         view.value("buffer", 0) == 0 && start <= binary_.size() &&
@@ -141,36 +148,42 @@ class SceneReader {
     return found;
   }
 
-  void add(const Json& primitive, const Matrix& m) {
-    const Accessor places =
+  void add(const Json& primitive, const Matrix& placement) {
+    const Accessor positions =
         accessor(primitive.at("attributes").at("POSITION").get<size_t>(), "VEC3", 3);
-    if (places.type != kFloat) fail("has positions that are no floats, which are not read");
+    if (positions.type != kFloat) fail("has positions that are not floats");
     const size_t first = mesh_.positions.size() / 3;
-    if (first + places.count > kMostVertices) fail("has too many vertices");
-    for (size_t v = 0; v < places.count; ++v) {
+    addPositions(positions, placement);
+    if (primitive.contains("indices"))
+      return addIndices(accessor(primitive.at("indices").get<size_t>(), "SCALAR", 1), first,
+                        positions.count);
+    for (size_t v = 0; v < positions.count / 3 * 3; ++v)
+      mesh_.indices.push_back(static_cast<uint32_t>(first + v));
+  }
+
+  void addPositions(const Accessor& positions, const Matrix& m) {
+    if (mesh_.positions.size() / 3 + positions.count > kMostVertices) fail("has too many vertices");
+    for (size_t v = 0; v < positions.count; ++v) {
       std::array<float, 3> p{};
-      copy(binary_, places.offset + v * places.stride, p);
+      copy(binary_, positions.offset + v * positions.stride, p);
       for (size_t row = 0; row < 3; ++row)
         mesh_.positions.push_back(static_cast<float>(m[row] * p[0] + m[4 + row] * p[1] +
                                                      m[8 + row] * p[2] + m[12 + row]));
     }
-    if (!primitive.contains("indices")) {
-      for (size_t v = 0; v < places.count / 3 * 3; ++v)
-        mesh_.indices.push_back(static_cast<uint32_t>(first + v));
-      return;
-    }
-    const Accessor indices = accessor(primitive.at("indices").get<size_t>(), "SCALAR", 1);
-    if (indices.type != kByte && indices.type != kShort && indices.type != kInt)
+  }
+
+  /// Triangles of the vertices from `first` on, of which there are `vertices`.
+  void addIndices(const Accessor& indices, size_t first, size_t vertices) {
+    if (indices.type != kUnsignedByte && indices.type != kUnsignedShort &&
+        indices.type != kUnsignedInt)
       fail("has indices of an unknown type");
     if (mesh_.indices.size() + indices.count > 6 * kMostVertices) fail("has too many triangles");
     for (size_t i = 0; i < indices.count / 3 * 3; ++i) {
       uint32_t vertex = 0;
       std::memcpy(&vertex, binary_.data() + indices.offset + i * indices.stride,
-                  indices.type == kByte    ? 1
-                  : indices.type == kShort ? 2
-                                           : 4);
-      if (vertex >= places.count)
-        fail(text("triangle %zu uses vertex %u of %zu", i / 3, vertex, places.count));
+                  bytesOf(indices.type));
+      if (vertex >= vertices)
+        fail(text("triangle %zu uses vertex %u of %zu", i / 3, vertex, vertices));
       mesh_.indices.push_back(static_cast<uint32_t>(first + vertex));
     }
   }
@@ -188,7 +201,7 @@ Mesh readGlb(std::span<const std::byte> bytes, const std::string& path) {
   try {
     return SceneReader(bytes, path).read();
   } catch (const Json::exception&) {
-    throw Failure(path, "is no GLB file, or it is damaged");
+    throw Failure(path, "is not a GLB file, or it is damaged");
   }
 }
 

@@ -7,7 +7,7 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
-#include "mesh_io/formats.h"
+#include "mesh_io/mesh_formats.h"
 
 namespace isostar::native {
 namespace {
@@ -26,7 +26,7 @@ const Format* formatOf(const std::string& path) {
   return found == kFormats.end() ? nullptr : &found->second;
 }
 
-void requireSound(const Mesh& mesh, const std::string& path) {
+void requireValid(const Mesh& mesh, const std::string& path) {
   const size_t vertices = mesh.positions.size() / 3;
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     if (!std::isfinite(mesh.positions[i]))
@@ -54,7 +54,7 @@ void writeMesh(const Mesh& mesh, const std::string& path) {
 Mesh readMesh(const std::string& path) {
   const std::vector<std::byte> bytes = readFile(path);
   Mesh mesh = formatOf(path)->read(bytes, path);
-  requireSound(mesh, path);
+  requireValid(mesh, path);
   return mesh;
 }
 

@@ -6,16 +6,16 @@
 
 namespace isostar::native {
 
-/// Whether readMesh() and writeMesh() know the extension: .ply .obj .stl .glb.
+/// Whether the extension is one that readMesh() and writeMesh() support: .ply .obj .stl .glb.
 bool isMeshFile(const std::string& path);
 
-/// The file appears whole or not at all. Normals are written where the mesh has them and the format
-/// keeps them.
+/// The file is written completely or not at all. Normals are written if the mesh has them and the
+/// format stores them.
 void writeMesh(const Mesh&, const std::string& path);
 
-/// Positions and triangles; polygons become fans, STL's corners at equal places one vertex,
-/// GLB's nodes lie where the scene has them. Every index is in range and
-/// every coordinate finite, or it fails with one line.
+/// Positions and triangles. Polygons become fans; STL's corners at equal positions become one
+/// vertex; the nodes of a GLB are transformed to the scene's coordinates. Throws a Failure if an
+/// index is out of range or a coordinate is not finite.
 Mesh readMesh(const std::string& path);
 
 }  // namespace isostar::native

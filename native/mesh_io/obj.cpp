@@ -3,19 +3,19 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "mesh_io/formats.h"
-#include "mesh_io/words.h"
+#include "mesh_io/mesh_formats.h"
+#include "mesh_io/word_reader.h"
 
 namespace isostar::native {
 namespace {
 
-/// One line of text of known greatest length, written number by number.
+/// One line of text of at most 128 characters.
 class Line {
  public:
-  void letters(const char* letters) {
+  void append(const char* letters) {
     while (*letters) *at_++ = *letters++;
   }
-  void number(auto value) { at_ = std::to_chars(at_, text_.data() + text_.size(), value).ptr; }
+  void append(auto number) { at_ = std::to_chars(at_, text_.data() + text_.size(), number).ptr; }
   void writeTo(OutputFile& file) {
     *at_++ = '\n';
     file.write(text_.data(), static_cast<size_t>(at_ - text_.data()));
@@ -30,10 +30,10 @@ class Line {
 void writeVectors(const char* keyword, const std::vector<float>& numbers, OutputFile& file) {
   Line line;
   for (size_t i = 0; i + 2 < numbers.size(); i += 3) {
-    line.letters(keyword);
+    line.append(keyword);
     for (size_t axis = 0; axis < 3; ++axis) {
-      line.letters(" ");
-      line.number(numbers[i + axis]);
+      line.append(" ");
+      line.append(numbers[i + axis]);
     }
     line.writeTo(file);
   }
@@ -43,12 +43,13 @@ void readVertex(std::string_view line, Mesh& mesh, const std::string& path) {
   for (int axis = 0; axis < 3; ++axis) {
     float coordinate;
     if (!parseNumber(nextWord(line), coordinate))
-      throw Failure(path, text("vertex %zu has no three coordinates", mesh.positions.size() / 3));
+      throw Failure(path,
+                    text("vertex %zu does not have three coordinates", mesh.positions.size() / 3));
     mesh.positions.push_back(coordinate);
   }
 }
 
-/// "7/2/7" names vertex 7, "-1" the last one so far.
+/// "7/2/7" is vertex 7; "-1" is the last vertex read so far.
 uint32_t cornerOf(std::string_view word, size_t vertices, const std::string& path) {
   int64_t index = 0;
   const bool number = parseNumber(word.substr(0, word.find('/')), index);
@@ -75,18 +76,18 @@ void readFace(std::string_view line, Mesh& mesh, const std::string& path) {
 void writeObj(const Mesh& mesh, OutputFile& file) {
   const bool normals = !mesh.normals.empty();
   Line line;
-  line.letters("# isostar");
+  line.append("# isostar");
   line.writeTo(file);
   writeVectors("v", mesh.positions, file);
   writeVectors("vn", mesh.normals, file);
   for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    line.letters("f");
+    line.append("f");
     for (size_t corner = 0; corner < 3; ++corner) {
-      line.letters(" ");
-      line.number(mesh.indices[i + corner] + uint64_t{1});
+      line.append(" ");
+      line.append(mesh.indices[i + corner] + uint64_t{1});
       if (!normals) continue;
-      line.letters("//");
-      line.number(mesh.indices[i + corner] + uint64_t{1});
+      line.append("//");
+      line.append(mesh.indices[i + corner] + uint64_t{1});
     }
     line.writeTo(file);
   }
@@ -95,14 +96,14 @@ void writeObj(const Mesh& mesh, OutputFile& file) {
 Mesh readObj(std::span<const std::byte> bytes, const std::string& path) {
   Mesh mesh;
   bool known = false;
-  for (Words words(bytes); !words.atEnd();) {
-    std::string_view line = words.line();
+  for (WordReader reader(bytes); !reader.atEnd();) {
+    std::string_view line = reader.line();
     const std::string_view keyword = nextWord(line);
     if (keyword == "v") readVertex(line, mesh, path);
     if (keyword == "f") readFace(line, mesh, path);
     known = known || keyword == "v" || keyword == "#" || keyword == "o" || keyword == "mtllib";
   }
-  if (!known) throw Failure(path, "is no OBJ file");
+  if (!known) throw Failure(path, "is not an OBJ file");
   return mesh;
 }
 

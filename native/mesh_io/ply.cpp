@@ -6,11 +6,11 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "mesh_io/formats.h"
-#include "mesh_io/words.h"
+#include "mesh_io/mesh_formats.h"
+#include "mesh_io/word_reader.h"
 
 static_assert(std::endian::native == std::endian::little,
-              "binary meshes are copied as they lie in memory");
+              "binary meshes are copied from memory without conversion");
 
 namespace isostar::native {
 namespace {
@@ -20,7 +20,7 @@ enum class Type : uint8_t { I8, U8, I16, U16, I32, U32, F32, F64 };
 struct Property {
   std::string name;
   Type type{};
-  std::optional<Type> count;  // of a list
+  std::optional<Type> count;  // the type of a list's length; none for a single value
 };
 
 struct Element {
@@ -58,7 +58,7 @@ std::optional<Type> typeNamed(std::string_view name) {
 
 class Reader {
  public:
-  Reader(std::span<const std::byte> bytes, const std::string& path) : words_(bytes), path_(path) {}
+  Reader(std::span<const std::byte> bytes, const std::string& path) : reader_(bytes), path_(path) {}
 
   Mesh read() {
     readHeader();
@@ -76,15 +76,15 @@ class Reader {
   }
 
  private:
-  using Record = std::vector<std::vector<double>>;  // the values of each property of one record
+  using Record = std::vector<std::vector<double>>;  // the values of each property
 
   [[noreturn]] void fail(const std::string& what) const { throw Failure(path_, what); }
 
   void readHeader() {
-    if (words_.line() != "ply") fail("is no PLY file");
+    if (reader_.line() != "ply") fail("is not a PLY file");
     for (;;) {
-      if (words_.atEnd()) fail("ends within its header");
-      std::string_view line = words_.line();
+      if (reader_.atEnd()) fail("ends inside its header");
+      std::string_view line = reader_.line();
       const std::string_view word = nextWord(line);
       if (word == "end_header") break;
       if (word == "format") readFormat(nextWord(line));
@@ -96,22 +96,22 @@ class Reader {
   void readFormat(std::string_view format) {
     header_.ascii = format == "ascii";
     if (!header_.ascii && format != "binary_little_endian")
-      fail(text("is %s, which is not read", std::string(format).c_str()));
+      fail(text("has the format %s, which is not supported", std::string(format).c_str()));
   }
 
   void readElement(std::string_view line) {
     Element element;
     element.name = nextWord(line);
-    if (!parseNumber(nextWord(line), element.count)) fail("an element of its header has no count");
-    // A record takes a byte at least, unless it has no properties at all.
-    if (element.count > words_.left())
+    if (!parseNumber(nextWord(line), element.count)) fail("has an element without a count");
+    // Each record takes at least one byte unless it has no properties.
+    if (element.count > reader_.left())
       fail(text("claims %llu records, more than it has bytes",
                 static_cast<unsigned long long>(element.count)));
     header_.elements.push_back(std::move(element));
   }
 
   void readProperty(std::string_view line) {
-    if (header_.elements.empty()) fail("a property comes before any element");
+    if (header_.elements.empty()) fail("has a property before any element");
     Property property;
     std::string_view type = nextWord(line);
     if (type == "list") {
@@ -139,8 +139,8 @@ class Reader {
 
   void readValues(const Property& property, std::vector<double>& values) {
     const double count = property.count ? readValue(*property.count) : 1;
-    if (property.count && (!(count >= 0) || count > static_cast<double>(words_.left())))
-      fail(text("a list of %g values cannot be", count));
+    if (property.count && (!(count >= 0) || count > static_cast<double>(reader_.left())))
+      fail(text("has a list of %g values, which is impossible", count));
     values.resize(static_cast<size_t>(count));
     for (double& value : values) value = readValue(property.type);
   }
@@ -148,8 +148,8 @@ class Reader {
   double readValue(Type type) {
     if (header_.ascii) {
       double value;
-      if (!parseNumber(words_.word(), value))
-        fail("ends early, or has a word where a number is due");
+      if (!parseNumber(reader_.word(), value))
+        fail("ends early, or has a word instead of a number");
       return value;
     }
     switch (type) {
@@ -176,13 +176,13 @@ class Reader {
   template <class T>
   double take() {
     T value;
-    if (!words_.copy(&value, sizeof value)) fail("ends early");
+    if (!reader_.copy(&value, sizeof value)) fail("ends early");
     return value;
   }
 
   void readVertices(const Element& element, Mesh& mesh) {
     const std::array<int, 3> at = {element.find("x"), element.find("y"), element.find("z")};
-    if (at[0] < 0 || at[1] < 0 || at[2] < 0) fail("its vertices have no x, y and z");
+    if (at[0] < 0 || at[1] < 0 || at[2] < 0) fail("has vertices without x, y and z");
     mesh.positions.reserve(3 * element.count);
     forEachRecord(element, [&](const Record& record) {
       for (int property : at)
@@ -194,7 +194,7 @@ class Reader {
   void readFaces(const Element& element, Mesh& mesh) {
     int at = element.find("vertex_indices");
     if (at < 0) at = element.find("vertex_index");
-    if (at < 0) fail("its faces have no vertex_indices");
+    if (at < 0) fail("has faces without vertex_indices");
     mesh.indices.reserve(3 * element.count);
     forEachRecord(element, [&](const Record& record) {
       const auto& corners = record[at];
@@ -209,7 +209,7 @@ class Reader {
     return static_cast<uint32_t>(value);
   }
 
-  Words words_;
+  WordReader reader_;
   const std::string& path_;
   Header header_;
 };

@@ -6,8 +6,8 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "mesh_io/formats.h"
-#include "mesh_io/words.h"
+#include "mesh_io/mesh_formats.h"
+#include "mesh_io/word_reader.h"
 
 namespace isostar::native {
 namespace {
@@ -38,20 +38,20 @@ std::vector<Corner> readBinary(std::span<const std::byte> bytes) {
 
 std::vector<Corner> readText(std::span<const std::byte> bytes, const std::string& path) {
   std::vector<Corner> corners;
-  for (Words words(bytes); !words.atEnd();) {
-    if (words.word() != "vertex") continue;
+  for (WordReader reader(bytes); !reader.atEnd();) {
+    if (reader.word() != "vertex") continue;
     Corner corner;
     for (float& coordinate : corner) {
-      if (!parseNumber(words.word(), coordinate))
-        throw Failure(path, text("corner %zu has no three coordinates", corners.size()));
+      if (!parseNumber(reader.word(), coordinate))
+        throw Failure(path, text("corner %zu does not have three coordinates", corners.size()));
     }
     corners.push_back(corner);
   }
-  if (corners.size() % 3 != 0) throw Failure(path, "ends within a triangle");
+  if (corners.size() % 3 != 0) throw Failure(path, "ends inside a triangle");
   return corners;
 }
 
-/// STL has no vertices, only corners: those at one place become one.
+/// STL has no vertices, only corners: those at one position become one vertex.
 Mesh weld(const std::vector<Corner>& corners) {
   std::vector<uint32_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -69,7 +69,7 @@ Mesh weld(const std::vector<Corner>& corners) {
   return mesh;
 }
 
-/// Binary files may begin with "solid" too; only their length tells them from text.
+/// Binary files may begin with "solid" too; only the length distinguishes them from text.
 bool isBinary(std::span<const std::byte> bytes) {
   if (bytes.size() < kHead) return false;
   uint32_t triangles;
@@ -102,7 +102,7 @@ void writeStl(const Mesh& mesh, OutputFile& file) {
 
 Mesh readStl(std::span<const std::byte> bytes, const std::string& path) {
   if (isBinary(bytes)) return weld(readBinary(bytes));
-  if (!isText(bytes)) throw Failure(path, "is no STL file, or it is cut short");
+  if (!isText(bytes)) throw Failure(path, "is not an STL file, or it is cut short");
   return weld(readText(bytes, path));
 }
 

@@ -5,17 +5,18 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "measure/topology.h"
+#include "measure/mesh_topology.h"
 #include "model/distance_field.h"
-#include "model/lost_part.h"
+#include "model/lost_area.h"
 #include "model/welded_mesh.h"
 
 namespace isostar::native {
 namespace {
 
-// Faces along the axes, which models of machines have, come to lie amid samples instead of on them.
+/// Grid steps around the model. Faces along the axes, typical of machine parts, then lie halfway
+/// between samples.
 constexpr double kMargin = 3.5;
-constexpr double kWorthSaying = 0.001;  // of the area
+constexpr double kReportedLoss = 0.001;  // as a fraction of the area
 constexpr double kMostSamples = 0x1p31;
 
 struct Box {
@@ -35,16 +36,17 @@ Box boxOf(const Mesh& mesh) {
   return box;
 }
 
-CubicGrid gridAround(const Box& box, int samples, const std::string& path) {
-  CubicGrid grid;
-  grid.step = std::max({box.extent(0), box.extent(1), box.extent(2)}) / (samples - 1 - 2 * kMargin);
-  if (!(grid.step > 0) || !std::isfinite(grid.step))
-    throw Failure(path, "has no triangle with an area");
+SampleGrid gridAround(const Box& box, int samples, const std::string& path) {
+  SampleGrid grid;
+  const double step =
+      std::max({box.extent(0), box.extent(1), box.extent(2)}) / (samples - 1 - 2 * kMargin);
+  if (!(step > 0) || !std::isfinite(step)) throw Failure(path, "has no triangle with an area");
+  grid.steps = {step, step, step};
   for (size_t axis = 0; axis < 3; ++axis)
     grid.size[axis] =
-        static_cast<int32_t>(std::ceil(box.extent(axis) / grid.step - 1e-9) + 1 + 2 * kMargin);
+        static_cast<int32_t>(std::ceil(box.extent(axis) / step - 1e-9) + 1 + 2 * kMargin);
   grid.low = measure::Vector3{box.low[0], box.low[1], box.low[2]} -
-             grid.step * measure::Vector3{kMargin, kMargin, kMargin};
+             step * measure::Vector3{kMargin, kMargin, kMargin};
   if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMostSamples)
     throw Failure(path, text("--grid %d makes %d x %d x %d samples; at most 2^31 can be encoded",
                              samples, grid.size[0], grid.size[1], grid.size[2]));
@@ -55,12 +57,12 @@ std::string counted(uint64_t count, const char* what) {
   return text("%llu %s%s", static_cast<unsigned long long>(count), what, count == 1 ? "" : "s");
 }
 
-/// All that is wrong, as one line; empty for a sound mesh.
-std::string complaintOf(const WeldedMesh& welded) {
+/// All defects of a mesh in one line; empty if there are none.
+std::string defectsOf(const WeldedMesh& welded) {
   const measure::Topology topology = measure::topologyOf(welded.mesh);
-  std::string words;
-  const auto add = [&words](const std::string& more) {
-    words += (words.empty() ? "" : ", ") + more;
+  std::string defects;
+  const auto add = [&defects](const std::string& more) {
+    defects += (defects.empty() ? "" : ", ") + more;
   };
   if (topology.boundaryEdges)
     add("not closed: " + counted(topology.boundaryEdges, "boundary edge"));
@@ -69,8 +71,8 @@ std::string complaintOf(const WeldedMesh& welded) {
   if (welded.degenerate) add(counted(welded.degenerate, "triangle") + " without area left out");
   if (welded.doubled) add(counted(welded.doubled, "doubled triangle") + " left out");
   if (topology.boundaryEdges || topology.nonManifoldEdges)
-    words += "; inside is where most rays say so";
-  return words;
+    defects += "; a majority vote of rays decides what is inside";
+  return defects;
 }
 
 }  // namespace
@@ -80,17 +82,18 @@ LoadedVolume modelVolume(const Mesh& mesh, const std::string& path, int grid,
   if (mesh.indices.empty()) throw Failure(path, "has no triangles");
   const WeldedMesh welded = weld(mesh);
   if (welded.mesh.indices.empty()) throw Failure(path, "has no triangle with an area");
-  const CubicGrid cubes = gridAround(boxOf(welded.mesh), grid, path);
+  const SampleGrid cubes = gridAround(boxOf(welded.mesh), grid, path);
   LoadedVolume volume;
   volume.samples = distanceField(welded.mesh, cubes, progress);
   volume.size = cubes.size;
   volume.placement.origin = {cubes.low.x, cubes.low.y, cubes.low.z};
-  volume.placement.spacing = {cubes.step, cubes.step, cubes.step};
-  if (const std::string complaint = complaintOf(welded); !complaint.empty())
-    volume.remarks.push_back(complaint);
-  if (const double lost = lostPart(welded.mesh, cubes, volume.samples); lost > kWorthSaying)
-    volume.remarks.push_back(
-        text("%.2g %% of the surface bounds parts too thin for --grid %d", 100 * lost, grid));
+  volume.placement.spacing = {cubes.steps.x, cubes.steps.y, cubes.steps.z};
+  if (const std::string defects = defectsOf(welded); !defects.empty())
+    volume.remarks.push_back(defects);
+  if (const double lost = lostAreaFraction(welded.mesh, cubes, volume.samples);
+      lost > kReportedLoss)
+    volume.remarks.push_back(text(
+        "%.2g %% of the surface bounds parts that are too thin for --grid %d", 100 * lost, grid));
   return volume;
 }
 

@@ -7,15 +7,14 @@
 
 namespace isostar::native {
 
-/// Samples along the longest axis where the user names no number, and the fewest and most that make
-/// sense.
+/// Samples along the longest axis: the default, the minimum and the maximum.
 inline constexpr int kModelGrid = 257, kSmallestModelGrid = 16, kLargestModelGrid = 2048;
 
-/// A closed triangle mesh as its distance field, whose isosurface 0 it is (so the paper's horse
-/// came to its 257³ samples, figure 1): a grid of cubes, `grid` samples along the longest side, in
-/// the model's own coordinates. What is wrong with a mesh that is open, has doubled triangles or
-/// edges of many becomes a remark; one without any area, or larger than the codec's grids, fails
-/// with one line.
+/// The distance field of a closed triangle mesh, whose isosurface 0 is the mesh (as the paper's
+/// horse has 257³ samples, figure 1): a grid of cubes with `grid` samples along the longest side,
+/// in the model's coordinates. Boundary edges, doubled triangles and edges of more than two
+/// triangles become remarks. Throws a Failure if the mesh has no area or the grid is too large for
+/// the codec.
 LoadedVolume modelVolume(const Mesh&, const std::string& path, int grid,
                          const std::function<void(double)>& progress);
 

@@ -7,26 +7,25 @@
 namespace isostar::native {
 namespace {
 
-using Place = std::array<float, 3>;
+using Position = std::array<float, 3>;
 using Corners = std::array<uint32_t, 3>;
 
-Place placeOf(const Mesh& mesh, uint32_t vertex) {
+Position positionOf(const Mesh& mesh, uint32_t vertex) {
   const float* p = &mesh.positions[3 * size_t{vertex}];
-  return {p[0] + 0.0f, p[1] + 0.0f,
-          p[2] + 0.0f};  // -0 becomes 0, so that equal places compare as equal bits do
+  // -0 becomes 0, so that equal positions have equal bits.
+  return {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};
 }
 
-/// The first of all vertices at each vertex's place, as an index into the welded positions, which
-/// are appended to `out`.
+/// Each vertex's index among the welded positions, which are appended to `out`.
 std::vector<uint32_t> weldVertices(const Mesh& mesh, std::vector<float>& out) {
   std::vector<uint32_t> order(mesh.positions.size() / 3), welded(order.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
-            [&](uint32_t a, uint32_t b) { return placeOf(mesh, a) < placeOf(mesh, b); });
+            [&](uint32_t a, uint32_t b) { return positionOf(mesh, a) < positionOf(mesh, b); });
   for (size_t i = 0; i < order.size(); ++i) {
-    const Place place = placeOf(mesh, order[i]);
-    if (i == 0 || place != placeOf(mesh, order[i - 1]))
-      out.insert(out.end(), place.begin(), place.end());
+    const Position position = positionOf(mesh, order[i]);
+    if (i == 0 || position != positionOf(mesh, order[i - 1]))
+      out.insert(out.end(), position.begin(), position.end());
     welded[order[i]] = static_cast<uint32_t>(out.size() / 3 - 1);
   }
   return welded;

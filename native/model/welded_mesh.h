@@ -4,8 +4,8 @@
 
 namespace isostar::native {
 
-/// A mesh whose vertices at equal places are one, without triangles that then name a vertex twice,
-/// and with one of those that are the same, orientation included. Without normals.
+/// A mesh in which vertices at equal positions are merged, without degenerate triangles and without
+/// duplicates of the same orientation. It has no normals.
 struct WeldedMesh {
   Mesh mesh;
   size_t degenerate = 0, doubled = 0;  // triangles left out

@@ -5,7 +5,7 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "tetrahedra/grid_over.h"
+#include "tetrahedra/grid_choice.h"
 #include "tetrahedra/marching_tetrahedra.h"
 #include "tetrahedra/tetrahedra_volume.h"
 
@@ -13,10 +13,10 @@ namespace isostar::native {
 namespace {
 
 constexpr double kMostSamples = 0x1p24;
-constexpr double kLeastFiner = 1.26,
-                 kMostFiner = 2;       // steps from grid to grid: two to eight times the samples
-constexpr double kSamplingPart = 0.9;  // of the bound that samples may take
-constexpr double kTries[] = {0.4, 0.3, 0.2, 0.14, 0.1, 0.05};  // grid steps that the codec may take
+/// The ratio of steps from one grid to the next: two to eight times the samples.
+constexpr double kLeastFiner = 1.26, kMostFiner = 2;
+constexpr double kSamplingPart = 0.9;  // the fraction of the bound that sampling may use
+constexpr double kTries[] = {0.4, 0.3, 0.2, 0.14, 0.1, 0.05};  // the codec's bounds, in grid steps
 
 void require(Error error, const std::string& path) {
   if (error != Error::None) throw Failure(path, describe(error));
@@ -31,7 +31,7 @@ Mesh decodedSurface(const std::vector<std::byte>& stream, const EncodeOptions& o
   }
   require(decoder.error(), path);
   Mesh mesh;
-  require(decoder.mesh({options.polygonizer, Frame::World, false}, mesh), path);
+  require(decoder.mesh({.polygonizer = options.polygonizer, .normals = false}, mesh), path);
   return mesh;
 }
 
@@ -41,11 +41,12 @@ double distanceOf(const std::vector<std::byte>& stream, const Mesh& isosurface,
   return distance ? distance->symmetric().max : 0;
 }
 
-/// Tells one grid's samples ever finer until the bound holds; the last try's stream where it does
-/// not.
+/// Encodes one grid's samples with smaller and smaller bounds until the surface is within `bound`.
+/// If it never is, the stream of the last try.
 BoundedStream encodedWithin(double bound, LoadedVolume volume, const Mesh& isosurface,
                             EncodeOptions options, const std::string& path) {
-  BoundedStream result{{}, std::move(volume), 0};
+  BoundedStream result;
+  result.volume = std::move(volume);
   for (const double steps : kTries) {
     options.maxError = steps;
     result.stream.clear();
@@ -64,7 +65,7 @@ BoundedStream encodeWithin(double bound, const TetrahedralField& field, EncodeOp
   BoundedStream nearest;
   for (double step = suitableStep(field, options.isovalue);
        nearest.stream.empty() || nearest.distance > bound;) {
-    const SampleGrid grid = gridOfSteps(field, step, path);
+    const SampleGrid grid = gridOfStep(field, step, path);
     TetrahedraVolume sampled =
         volumeOf(field, isosurface, options.isovalue, Scalars::Distances, grid, progress);
     const double excess =
@@ -79,8 +80,8 @@ BoundedStream encodeWithin(double bound, const TetrahedralField& field, EncodeOp
   }
   if (nearest.distance > bound)
     nearest.volume.remarks.push_back(
-        text("no grid of 2^24 samples holds the bound: the surface is up to %.3g from the "
-             "tetrahedra's isosurface",
+        text("no grid of 2^24 samples meets the bound: the surface is up to %.3g from the "
+             "isosurface of the tetrahedra",
              nearest.distance));
   return nearest;
 }

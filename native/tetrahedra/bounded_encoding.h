@@ -9,19 +9,19 @@
 
 namespace isostar::native {
 
-/// A stream of tetrahedra, and how far its surface is from their own isosurface, both ways, in the
-/// mesh's unit.
+/// A stream of a tetrahedral mesh, and the two-sided distance of its surface from the isosurface of
+/// the tetrahedra, in the mesh's unit.
 struct BoundedStream {
   std::vector<std::byte> stream;
-  LoadedVolume volume;  // of which the stream was made
-  double distance = 0;  // 0 where there is no surface
+  LoadedVolume volume;  // the samples that the stream encodes
+  double distance = 0;  // 0 if there is no surface
 };
 
-/// Tells the isosurface of the tetrahedra themselves within `bound`, in the mesh's unit (§1): the
-/// grid gets finer until its samples leave the codec a part of the bound, and each stream is
-/// measured. Where even 2^24 samples do not hold the bound, the nearest stream comes with a remark.
-/// `options` counts as in encode(), but for its bound; `progress` starts again with each grid.
-/// Fails with one line naming `path` where encode() does.
+/// Encodes the isosurface of the tetrahedra within `bound`, in the mesh's unit (§1). The grid is
+/// refined until sampling leaves a part of the bound to the codec, and each stream is measured. If
+/// even 2^24 samples do not meet the bound, returns the closest stream with a remark. `options` is
+/// as in encode() except for its bound; `progress` restarts with each grid. Throws a Failure naming
+/// `path` if encode() fails.
 BoundedStream encodeWithin(double bound, const TetrahedralField&, EncodeOptions options,
                            const std::string& path, const std::function<void(double)>& progress);
 

@@ -10,18 +10,19 @@ namespace {
 
 using measure::Vector3;
 
-constexpr double kRounding = 1e-6;  // of the largest coordinate: they are single-precision numbers
+constexpr double kRounding = 1e-6;  // of the largest coordinate, which is in single precision
 
 std::array<double, 3> coordinates(const Vector3& p) {
   return {p.x, p.y, p.z};
 }
 
-void joinNeighbours(std::vector<FlatPart>& parts, double rounding) {
+/// Merges parts whose coordinates are equal up to rounding.
+void mergeEqual(std::vector<FlatPart>& parts, double rounding) {
   std::sort(parts.begin(), parts.end(),
-            [](const FlatPart& a, const FlatPart& b) { return a.place < b.place; });
+            [](const FlatPart& a, const FlatPart& b) { return a.coordinate < b.coordinate; });
   size_t kept = 0;
   for (size_t i = 1; i < parts.size(); ++i) {
-    if (parts[i].place - parts[kept].place <= rounding)
+    if (parts[i].coordinate - parts[kept].coordinate <= rounding)
       parts[kept].share += parts[i].share;
     else
       parts[++kept] = parts[i];
@@ -44,12 +45,12 @@ std::array<std::vector<FlatPart>, 3> flatParts(const Mesh& boundary) {
     const auto a = coordinates(corner(0)), b = coordinates(corner(1)), c = coordinates(corner(2));
     for (size_t axis = 0; axis < 3; ++axis) {
       if (std::max(std::abs(a[axis] - b[axis]), std::abs(a[axis] - c[axis])) <= rounding)
-        parts[axis].push_back({a[axis], area});
+        parts[axis].push_back({.coordinate = a[axis], .share = area});
     }
     whole += area;
   }
   for (auto& axis : parts) {
-    joinNeighbours(axis, rounding);
+    mergeEqual(axis, rounding);
     for (FlatPart& part : axis) part.share /= whole;
   }
   return parts;

@@ -7,12 +7,14 @@
 
 namespace isostar::native {
 
-/// Where a domain's boundary lies across an axis, and how much of it, as a part of its whole area.
+/// A part of a domain's boundary that is perpendicular to an axis: its coordinate on that axis, and
+/// its share of the boundary's area.
 struct FlatPart {
-  double place = 0, share = 0;
+  double coordinate = 0, share = 0;
 };
 
-/// Of each axis, by growing place: floors and walls of a room, say.
+/// The flat parts perpendicular to each axis, by increasing coordinate: floors and walls of a room,
+/// for example.
 std::array<std::vector<FlatPart>, 3> flatParts(const Mesh& boundary);
 
 }  // namespace isostar::native

@@ -8,8 +8,8 @@ namespace {
 
 using measure::Vector3;
 
-/// For each set of positive corners, these first (a lone negative one before them), in an order
-/// that keeps the orientation.
+/// For each set of positive corners a permutation that preserves the orientation and puts the
+/// positive corners first, or a single negative corner before them.
 constexpr std::array<std::array<uint8_t, 4>, 16> kPositiveFirst = {{{0, 1, 2, 3},
                                                                     {0, 1, 2, 3},
                                                                     {1, 0, 3, 2},
@@ -42,7 +42,7 @@ class Surface {
       case 2:
         add(on(p[0], p[2]), on(p[0], p[3]), on(p[1], p[3]));
         return add(on(p[0], p[2]), on(p[1], p[3]), on(p[1], p[2]));
-      case 3:  // the lone negative corner comes first
+      case 3:  // the negative corner comes first
         return add(on(p[0], p[1]), on(p[0], p[3]), on(p[0], p[2]));
       default:
         return;

@@ -5,9 +5,10 @@
 
 namespace isostar::native {
 
-/// The isosurface of the piecewise linear function (§3): a triangle or two in each crossing
+/// The isosurface of the piecewise linear function (§3): one or two triangles in each crossing
 /// tetrahedron, one vertex on each crossing edge, counter-clockwise seen from the side of smaller
-/// values. Without normals. A value is positive where it is above the isovalue; the mesh is mended.
+/// values, without normals. A value is positive if it is above the isovalue. The mesh must be
+/// repaired.
 Mesh isosurfaceOf(const TetrahedralMesh&, double isovalue);
 
 }  // namespace isostar::native

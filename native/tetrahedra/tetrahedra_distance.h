@@ -7,9 +7,9 @@
 
 namespace isostar::native {
 
-/// From a surface to the isosurface of the tetrahedra (aToB) and back (bToA). What of the surface
-/// lies beyond the domain has no distance; on the way back all of it counts. Nothing where either
-/// has no triangle within the domain.
+/// The distance from a surface to the isosurface of the tetrahedra (aToB) and back (bToA). aToB
+/// ignores the parts of the surface beyond the domain; bToA includes them. Nothing if either has no
+/// triangle within the domain.
 std::optional<measure::SurfaceDistance> distanceToTetrahedra(const Mesh& surface,
                                                              const TetrahedralField&,
                                                              const Mesh& isosurface);

@@ -1,20 +1,20 @@
 #include "tetrahedra/tetrahedra_volume.h"
 
 #include "files/text.h"
-#include "tetrahedra/as_distances.h"
-#include "tetrahedra/resample.h"
+#include "tetrahedra/isosurface_distances.h"
+#include "tetrahedra/resampled_field.h"
 
 namespace isostar::native {
 namespace {
 
-/// The encoder's own bound counts from the samples.
+/// The sampling error is reported because the encoder's bound is relative to the samples.
 void remarkOnSampling(TetrahedraVolume& result, double step) {
   if (!result.distance) return;
   const auto& size = result.volume.size;
   const measure::Distance distance = result.distance->symmetric();
   result.volume.remarks.push_back(
-      text("sampled at %d x %d x %d points, up to %.2g grid steps from the tetrahedra's isosurface "
-           "(RMS %.2g)",
+      text("sampled at %d x %d x %d points, up to %.2g grid steps from the isosurface of the "
+           "tetrahedra (RMS %.2g)",
            size[0], size[1], size[2], distance.max / step, distance.rms / step));
 }
 
@@ -27,7 +27,7 @@ TetrahedraVolume volumeOf(const TetrahedralField& field, const Mesh& isosurface,
   ResampledField sampled = resample(field, grid, progress);
   LoadedVolume& volume = result.volume;
   volume.samples = std::move(sampled.samples);
-  if (scalars == Scalars::Distances) becomeDistances(isosurface, isovalue, grid, volume.samples);
+  if (scalars == Scalars::Distances) replaceByDistances(isosurface, isovalue, grid, volume.samples);
   volume.domain = std::move(sampled.domain);
   volume.size = grid.size;
   volume.placement.origin = {grid.low.x, grid.low.y, grid.low.z};

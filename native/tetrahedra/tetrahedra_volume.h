@@ -4,24 +4,24 @@
 #include <optional>
 
 #include "measure/surface_distance.h"
-#include "tetrahedra/sample_grid.h"
 #include "tetrahedra/tetrahedral_field.h"
 #include "volume/loaded_volume.h"
+#include "volume/sample_grid.h"
 
 namespace isostar::native {
 
-/// Tetrahedra as a volume, and how far marching cubes' surface of it is from their own isosurface
-/// (§1), in the mesh's unit; nothing where either has no triangle.
+/// Tetrahedra sampled as a volume, and the distance of its marching cubes surface from the
+/// isosurface of the tetrahedra (§1), in the mesh's unit; nothing if either has no triangle.
 struct TetrahedraVolume {
-  LoadedVolume volume;  // its remarks are the mesh's
+  LoadedVolume volume;  // with the remarks of the mesh
   std::optional<measure::SurfaceDistance> distance;
 };
 
-/// What samples tell: the field, at all isovalues, or one isosurface alone, better and in fewer
-/// bytes (see becomeDistances).
+/// The meaning of samples: the field, which has all isosurfaces, or distances to one isosurface,
+/// which are more accurate and take fewer bytes (see replaceByDistances()).
 enum class Scalars : uint8_t { Field, Distances };
 
-/// `isosurface` is isosurfaceOf() the mesh.
+/// `isosurface` is isosurfaceOf(field.mesh(), isovalue).
 TetrahedraVolume volumeOf(const TetrahedralField&, const Mesh& isosurface, double isovalue, Scalars,
                           const SampleGrid&, const std::function<void(double)>& progress);
 

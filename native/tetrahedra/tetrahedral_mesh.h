@@ -9,16 +9,16 @@
 
 namespace isostar::native {
 
-/// A tetrahedron by its points.
+/// A tetrahedron as the indices of its points.
 using Corners4 = std::array<uint32_t, 4>;
 
-/// Irregular data (§1): a scalar at each point of a tetrahedral mesh, linear within each
-/// tetrahedron.
+/// Irregular data (§1): a value at each point of a tetrahedral mesh, interpolated linearly within
+/// each tetrahedron.
 struct TetrahedralMesh {
   std::vector<measure::Vector3> points;
-  std::vector<float> values;  // one a point
+  std::vector<float> values;  // one per point
   std::vector<Corners4> tetrahedra;
-  std::vector<std::string> remarks;  // what its reader found worth saying
+  std::vector<std::string> remarks;  // warnings for the user
 };
 
 }  // namespace isostar::native

@@ -6,14 +6,14 @@
 
 namespace isostar::native {
 
-/// A point's barycentric coordinates in a tetrahedron: each corner's share, together 1, none below
-/// 0 inside.
+/// A point's barycentric coordinates in a tetrahedron: one share for each corner, with sum 1, all
+/// non-negative inside.
 struct Shares {
   std::array<double, 4> share;
   double least() const { return *std::min_element(share.begin(), share.end()); }
 };
 
-/// A mended tetrahedron, made ready for questions.
+/// A tetrahedron of a repaired mesh, prepared for interpolation.
 class Tetrahedron {
  public:
   Tetrahedron(const TetrahedralMesh& mesh, const Corners4& corners)
@@ -33,7 +33,7 @@ class Tetrahedron {
     return {{1 - b - c - d, b, c, d}};
   }
 
-  /// The linear function of the corners' values, outside too.
+  /// The linear function of the corners' values, also outside the tetrahedron.
   double value(const Shares& shares) const {
     double sum = 0;
     for (size_t i = 0; i < 4; ++i) sum += shares.share[i] * values_[i];
@@ -43,10 +43,10 @@ class Tetrahedron {
  private:
   measure::Vector3 a_;
   std::array<double, 4> values_;
-  std::array<measure::Vector3, 3> slopes_;  // of the shares of all corners but the first
+  std::array<measure::Vector3, 3> slopes_;  // gradients of the shares of corners 1, 2 and 3
 };
 
-/// As much below 0 as rounding may leave a share of a point on a face.
+/// Rounding may make the share of a point on a face negative by this much.
 inline constexpr double kShareRounding = 1e-9;
 
 }  // namespace isostar::native

@@ -7,9 +7,9 @@
 namespace isostar::native {
 namespace {
 
-constexpr uint32_t kFew = 4;
-constexpr double kRounding =
-    1e-9;  // of the box: points on a face belong to the tetrahedra on both sides
+constexpr uint32_t kLeafSize = 4;
+/// As a fraction of the box: points on a face belong to the tetrahedra on both sides.
+constexpr double kRounding = 1e-9;
 
 std::array<double, 3> coordinates(const measure::Vector3& p) {
   return {p.x, p.y, p.z};
@@ -25,13 +25,16 @@ TetrahedronTree::TetrahedronTree(const TetrahedralMesh& mesh)
 
 void TetrahedronTree::build(const TetrahedralMesh& mesh, uint32_t node, uint32_t first,
                             uint32_t last) {
-  Node box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, first, last - first};
+  Node box{.low = {INFINITY, INFINITY, INFINITY},
+           .high = {-INFINITY, -INFINITY, -INFINITY},
+           .first = first,
+           .count = last - first};
   for (uint32_t i = first; i < last; ++i) {
     for (uint32_t point : mesh.tetrahedra[order_[i]]) {
-      const auto place = coordinates(mesh.points[point]);
+      const auto position = coordinates(mesh.points[point]);
       for (size_t axis = 0; axis < 3; ++axis) {
-        box.low[axis] = std::min(box.low[axis], place[axis]);
-        box.high[axis] = std::max(box.high[axis], place[axis]);
+        box.low[axis] = std::min(box.low[axis], position[axis]);
+        box.high[axis] = std::max(box.high[axis], position[axis]);
       }
     }
   }
@@ -43,7 +46,7 @@ void TetrahedronTree::build(const TetrahedralMesh& mesh, uint32_t node, uint32_t
     box.low[axis] -= rounding;
     box.high[axis] += rounding;
   }
-  if (last - first > kFew) {
+  if (last - first > kLeafSize) {
     const auto middle = [&](uint32_t t) {
       double sum = 0;
       for (uint32_t point : mesh.tetrahedra[t]) sum += coordinates(mesh.points[point])[longest];

@@ -4,18 +4,19 @@
 
 namespace isostar::native {
 
-/// Boxes around a mesh's tetrahedra, for finding those at a point.
+/// A tree of bounding boxes around a mesh's tetrahedra that finds those at a point.
 class TetrahedronTree {
  public:
   explicit TetrahedronTree(const TetrahedralMesh&);
 
-  /// Calls `visit(tetrahedron)` for each whose box holds the point, until one returns true.
+  /// Calls visit(tetrahedron) for each tetrahedron whose box contains the point, until a call
+  /// returns true.
   template <class Visit>
   void visit(const measure::Vector3& point, Visit&& visit) const {
-    std::array<uint32_t, 64> waiting{};  // one a level: the tree is balanced
+    std::array<uint32_t, 64> waiting{};  // one per depth of the tree, which is balanced
     for (size_t count = 1; count > 0;) {
       const Node& node = nodes_[waiting[--count]];
-      if (!node.holds(point)) continue;
+      if (!node.contains(point)) continue;
       if (node.count == 0) {
         waiting[count++] = node.first + 1;
         waiting[count++] = node.first;
@@ -29,9 +30,10 @@ class TetrahedronTree {
  private:
   struct Node {
     std::array<double, 3> low, high;
-    uint32_t first = 0, count = 0;  // of tetrahedra in order_; count 0: the first of two nodes
+    /// A range of tetrahedra in order_; if count is 0, the first of the two child nodes.
+    uint32_t first = 0, count = 0;
 
-    bool holds(const measure::Vector3& p) const {
+    bool contains(const measure::Vector3& p) const {
       return p.x >= low[0] && p.y >= low[1] && p.z >= low[2] && p.x <= high[0] && p.y <= high[1] &&
              p.z <= high[2];
     }

@@ -1,4 +1,4 @@
-// Unstructured grids of VTK: .vtu and the legacy .vtk.
+// VTK's unstructured grids: .vtu and legacy .vtk.
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
@@ -13,7 +13,7 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "tetrahedra/formats.h"
+#include "tetrahedra/tetrahedra_reader.h"
 #include "volume/vtk_errors.h"
 
 namespace isostar::native {
@@ -25,7 +25,7 @@ std::string listOf(const std::vector<std::string>& names) {
   return list;
 }
 
-/// The arrays at the points with one value each, or with more.
+/// The names of the arrays with one value per point, or of those with several.
 std::vector<std::string> namesOf(vtkPointData& points, bool scalars) {
   std::vector<std::string> names;
   for (int i = 0; i < points.GetNumberOfArrays(); ++i) {
@@ -43,7 +43,7 @@ vtkDataArray& named(vtkPointData& points, const std::string& name, const std::st
     throw Failure(path, text("has no scalar %s at its points%s%s", name.c_str(),
                              scalars.empty() ? "" : ", but ", scalars.c_str()));
   if (array->GetNumberOfComponents() != 1)
-    throw Failure(path, text("%s has %d values a point; one is needed%s%s", name.c_str(),
+    throw Failure(path, text("%s has %d values per point; one is needed%s%s", name.c_str(),
                              array->GetNumberOfComponents(), scalars.empty() ? "" : ", as in ",
                              scalars.c_str()));
   return *array;
@@ -61,7 +61,7 @@ vtkDataArray& scalarOf(vtkPointData& points, const std::optional<std::string>& n
                           : "has no scalars at its points, only vectors: " + listOf(vectors));
 }
 
-/// A grid's cells as tetrahedra.
+/// The grid's tetrahedra; counts the cells of other types.
 std::vector<Corners4> tetrahedraOf(vtkUnstructuredGrid& grid, const std::string& path,
                                    size_t& others) {
   std::vector<Corners4> tetrahedra;
@@ -73,7 +73,7 @@ std::vector<Corners4> tetrahedraOf(vtkUnstructuredGrid& grid, const std::string&
     }
     grid.GetCellPoints(cell, ids);
     if (ids->GetNumberOfIds() != 4)
-      throw Failure(path, text("cell %lld has no four points", (long long)cell));
+      throw Failure(path, text("cell %lld does not have four points", (long long)cell));
     Corners4 corners;
     for (int c = 0; c < 4; ++c) {
       const vtkIdType point = ids->GetId(c);
@@ -96,9 +96,9 @@ TetrahedralMesh load(vtkUnstructuredGrid* grid, const std::optional<std::string>
   size_t others = 0;
   mesh.tetrahedra = tetrahedraOf(*grid, path, others);
   if (mesh.tetrahedra.empty())
-    throw Failure(path, text("has no tetrahedra (cells of other kinds: %zu)", others));
+    throw Failure(path, text("has no tetrahedra (cells of other types: %zu)", others));
   if (others > 0)
-    mesh.remarks.push_back(text("cells that are no tetrahedra, left out: %zu", others));
+    mesh.remarks.push_back(text("cells that are not tetrahedra, left out: %zu", others));
   vtkDataArray& values = scalarOf(*grid->GetPointData(), scalar, path);
   const vtkIdType points = grid->GetNumberOfPoints();
   if (values.GetNumberOfTuples() != points) throw Failure(path, "has fewer scalars than points");
@@ -111,8 +111,9 @@ TetrahedralMesh load(vtkUnstructuredGrid* grid, const std::optional<std::string>
   return mesh;
 }
 
-/// VTK's legacy reader stops at a "nan" in a text file as if the file were damaged.
-std::string wordThatIsNoNumber(const std::string& path) {
+/// The first word that is not a finite number. VTK's legacy reader reports a "nan" in a text file
+/// as damage.
+std::string nonFiniteWord(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   for (std::string word; file >> word;) {
     for (const char* each : {"nan", "-nan", "inf", "-inf", "NaN", "NAN"})
@@ -126,9 +127,9 @@ TetrahedralMesh readWith(Reader& reader, const std::string& path,
                          const std::optional<std::string>& scalar) {
   reader.SetFileName(path.c_str());
   if (!updateQuietly(reader)) {
-    const std::string word = wordThatIsNoNumber(path);
-    throw Failure(path, word.empty() ? "is no VTK mesh, or it is damaged"
-                                     : "a number is not finite: " + word);
+    const std::string word = nonFiniteWord(path);
+    throw Failure(path, word.empty() ? "is not a VTK mesh, or it is damaged"
+                                     : "has a number that is not finite: " + word);
   }
   return load(reader.GetOutput(), scalar, path);
 }

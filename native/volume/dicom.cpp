@@ -1,4 +1,4 @@
-// DICOM by ITK's GDCM. Slices are placed by their own positions, never by the spacing tags, which
+// DICOM, read by ITK's GDCM. Slices are placed by their positions, not by the spacing tags, which
 // are often wrong.
 #include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
@@ -9,16 +9,16 @@
 
 #include "files/failure.h"
 #include "files/text.h"
-#include "volume/caught_words.h"
-#include "volume/formats.h"
+#include "volume/captured_errors.h"
 #include "volume/itk_image.h"
 #include "volume/placement.h"
+#include "volume/volume_formats.h"
 
 namespace isostar::native {
 namespace {
 
-constexpr double kGapTolerance =
-    0.02;  // of the slice distance; positions are rounded to a few decimals
+/// As a fraction of the slice distance: positions are rounded to a few decimals.
+constexpr double kGapTolerance = 0.02;
 
 using Point = std::array<double, 3>;
 
@@ -48,7 +48,7 @@ std::string tag(const itk::ImageIOBase& io, const char* name) {
   return oneLine(value);
 }
 
-/// What slices of one volume share: their series, their size and how they lie.
+/// What all slices of one volume have in common: series, size and orientation.
 std::string seriesKey(const itk::ImageIOBase& io, const ItkHeader& header) {
   std::string key =
       text("%s %lldx%lld", tag(io, "0020|000e").c_str(), static_cast<long long>(header.size[0]),
@@ -57,7 +57,7 @@ std::string seriesKey(const itk::ImageIOBase& io, const ItkHeader& header) {
   return key;
 }
 
-/// Every series in the folder; files that are no DICOM images (DICOMDIR, notes) are passed over.
+/// Every series in the folder. Files that are not DICOM images (DICOMDIR, notes) are skipped.
 std::map<std::string, Series> findSeries(const std::vector<std::string>& paths) {
   std::map<std::string, Series> series;
   for (const std::string& path : paths) {
@@ -76,7 +76,7 @@ void sortByHeight(Series& slices) {
             [](const Slice& a, const Slice& b) { return a.height < b.height; });
 }
 
-/// Slices that are not evenly spaced are no grid: one is missing, or two overlap.
+/// Unevenly spaced slices do not form a grid: one is missing, or two overlap.
 void requireEvenGaps(const std::string& folder, const Series& slices) {
   const size_t last = slices.size() - 1;
   std::vector<double> gaps;
@@ -88,12 +88,12 @@ void requireEvenGaps(const std::string& folder, const Series& slices) {
     if (gaps[k] <= 0 || std::abs(gaps[k] - usual) > kGapTolerance * usual)
       throw Failure(
           folder,
-          text("slices %zu and %zu are %.4g mm apart, the others %.4g: one is missing or double",
+          text("slices %zu and %zu are %.4g mm apart, the others %.4g: one is missing or doubled",
                k + 1, k + 2, gaps[k], usual));
   }
 }
 
-/// The step from slice to slice may lean (a tilted gantry); it is kept as it is.
+/// The step from slice to slice may be oblique (a tilted gantry). It is kept unchanged.
 Placement placementOfSeries(const std::string& folder, const Series& slices) {
   const Placement& first = slices.front().header.placement;
   if (slices.size() == 1) return first;
@@ -108,11 +108,11 @@ Placement placementOfSeries(const std::string& folder, const Series& slices) {
   return placementOf(folder, first.origin, axes);
 }
 
-/// GDCM fills up samples that the file has no more, and warns.
+/// GDCM pads missing samples of a truncated file, and only prints a warning.
 LoadedVolume readWholeFile(const std::string& path) {
-  const CaughtWords words;
+  const CapturedErrors errors;
   LoadedVolume volume = readWholeImage(*itk::GDCMImageIO::New(), path, false);
-  if (words.line().find("Incomplete Pixel Data") != std::string::npos)
+  if (errors.line().find("Incomplete Pixel Data") != std::string::npos)
     throw Failure(path, "ends within its samples");
   return volume;
 }
@@ -121,7 +121,7 @@ LoadedVolume readSlices(const std::string& folder, const Series& slices) {
   const ItkHeader& first = slices.front().header;
   const size_t count = slices.size();
   const size_t area = static_cast<size_t>(first.size[0]) * static_cast<size_t>(first.size[1]);
-  // Slices may differ in type: each has a slope of its own, and so becomes float on its own.
+  // Slices may differ in type and slope: each is converted to float separately.
   SampleBuffer whole(folder, {first.size[0], first.size[1], static_cast<int64_t>(count)},
                      SampleType::F32, 0);
   auto* const to = reinterpret_cast<float*>(whole.data());

@@ -12,16 +12,15 @@
 namespace isostar::native {
 namespace {
 
-/// ITK's own words without its class names and addresses ("itk::ERROR: NrrdImageIO(0x55d0): words")
-/// and without the way that NrrdIO's complaint took ("[nrrd] nrrdLoad: trouble [nrrd] nrrdRead:
-/// words").
-std::string plainWords(const itk::ExceptionObject& error) {
-  std::string words = oneLine(error.GetDescription());
+/// ITK's message without class names and addresses ("itk::ERROR: NrrdImageIO(0x55d0): message") and
+/// without NrrdIO's call stack ("[nrrd] nrrdLoad: trouble [nrrd] nrrdRead: message").
+std::string plainMessage(const itk::ExceptionObject& error) {
+  std::string message = oneLine(error.GetDescription());
   for (const char* before : {"): ", "[nrrd] "}) {
-    const size_t at = words.rfind(before);
-    if (at != std::string::npos) words.erase(0, at + std::strlen(before));
+    const size_t at = message.rfind(before);
+    if (at != std::string::npos) message.erase(0, at + std::strlen(before));
   }
-  return words;
+  return message;
 }
 
 SampleType sampleType(const itk::ImageIOBase& io, const std::string& path) {
@@ -49,18 +48,18 @@ SampleType sampleType(const itk::ImageIOBase& io, const std::string& path) {
     case Component::DOUBLE:
       return SampleType::F64;
     default:
-      throw Failure(path, "its samples are of a type that is not read");
+      throw Failure(path, "has samples of an unsupported type");
   }
 }
 
-/// Axes beyond the fourth, which is time, may only be there in name.
+/// The fourth axis is time. Further axes must have length 1.
 void requirePlain(const itk::ImageIOBase& io, const std::string& path, unsigned mostComponents) {
   const unsigned components = io.GetNumberOfComponents();
   if (components < 1 || components > mostComponents)
-    throw Failure(path, text("has %u values a sample; one is needed", components));
+    throw Failure(path, text("has %u values per sample; one is needed", components));
   for (unsigned axis = 4; axis < io.GetNumberOfDimensions(); ++axis) {
     if (io.GetDimensions(axis) != 1)
-      throw Failure(path, text("has %u dimensions; four, the last one time, are the most",
+      throw Failure(path, text("has %u dimensions; at most four are read, the fourth being time",
                                io.GetNumberOfDimensions()));
   }
 }
@@ -89,10 +88,11 @@ ItkHeader readHeader(itk::ImageIOBase& io, const std::string& path, unsigned mos
   fileSize(path);
   try {
     io.SetFileName(path);
-    if (!io.CanReadFile(path.c_str())) throw Failure(path, "is not what its name says");
+    if (!io.CanReadFile(path.c_str()))
+      throw Failure(path, "is not of the format that its extension names");
     io.ReadImageInformation();
   } catch (const itk::ExceptionObject& error) {
-    throw Failure(path, plainWords(error));
+    throw Failure(path, plainMessage(error));
   }
   requirePlain(io, path, mostComponents);
   ItkHeader header{.type = sampleType(io, path), .placement = placementIn(io, path)};
@@ -122,7 +122,7 @@ void readSamples(itk::ImageIOBase& io, const std::string& path, std::byte* to) {
   try {
     io.Read(to);
   } catch (const itk::ExceptionObject& error) {
-    throw Failure(path, plainWords(error));
+    throw Failure(path, plainMessage(error));
   }
 }
 

@@ -11,32 +11,30 @@ class ImageIOBase;
 
 namespace isostar::native {
 
-/// What an ITK reader tells of a file before its samples are read: one sample a point, at most four
-/// dimensions.
+/// The header of an image, volume or sequence with one value per sample.
 struct ItkHeader {
   ClaimedSize size{1, 1, 1};
   int64_t frames = 1;  // along the fourth axis
-  int dimension = 3;   // 2 for an image, 4 where there are several frames
+  int dimension = 3;   // 2 for an image, 4 for a sequence
   SampleType type{};
   Placement placement;
 };
 
-/// Silences what ITK would print; every reader calls it first.
+/// Turns off ITK's warnings on standard error. Every reader calls it first.
 void quietItk();
 
-/// Reads the header. Fails with one line on anything that is not one plain scalar image, volume or
-/// sequence of volumes.
+/// Reads the header. Throws a Failure if the file is not a scalar image, volume or sequence of
+/// volumes; `mostComponents` values per sample are accepted.
 ItkHeader readHeader(itk::ImageIOBase&, const std::string& path, unsigned mostComponents = 1);
 
-/// Reads the samples behind a header into `to`, which has room for them.
+/// Reads all samples into `to`, which must be large enough for them.
 void readSamples(itk::ImageIOBase&, const std::string& path, std::byte* to);
 
-/// All frames of a sequence as one volume, one above the other; the header's size and frames are
-/// believed then.
+/// A buffer for all frames of a sequence, stacked along the third axis. Validates the header's size
+/// and number of frames.
 SampleBuffer bufferFor(const std::string& path, const ItkHeader&, uint64_t fileBytes);
 
-/// Header and samples. `attached`: the samples are in the file itself, so that its length bounds
-/// their number.
+/// Header and samples. `attached`: the samples are in this file, so its length limits their number.
 LoadedVolume readWholeImage(itk::ImageIOBase&, const std::string& path, bool attached);
 
 }  // namespace isostar::native

@@ -9,23 +9,29 @@
 
 namespace isostar::native {
 
-/// A volume that owns its samples, with what its reader found worth saying; or an image, or a
-/// sequence of volumes.
+/// A volume, an image or a sequence of volumes that owns its samples.
 struct LoadedVolume {
   int dimension = 3;
   std::vector<float> samples;
   std::array<int32_t, 3> size{};
   int32_t frames = 1;
   Placement placement;
-  std::vector<float> domain;  // see Volume; empty where it is the box
-  std::vector<std::string> remarks;
+  std::vector<float> domain;         // see Volume; empty if the domain is the box
+  std::vector<std::string> remarks;  // warnings for the user
 
-  Volume view() const { return {samples, size, placement, domain}; }
+  Volume view() const {
+    return {.samples = samples, .size = size, .placement = placement, .domain = domain};
+  }
   Image image() const {
     const auto& [origin, spacing, direction] = placement;
-    return {samples, {size[0], size[1]}, {origin[0], origin[1]}, {spacing[0], spacing[1]}};
+    return {.samples = samples,
+            .size = {size[0], size[1]},
+            .origin = {origin[0], origin[1]},
+            .spacing = {spacing[0], spacing[1]}};
   }
-  Sequence sequence() const { return {samples, size, frames, placement}; }
+  Sequence sequence() const {
+    return {.samples = samples, .size = size, .frames = frames, .placement = placement};
+  }
 };
 
 }  // namespace isostar::native

@@ -1,6 +1,6 @@
-// NIfTI by nifti_clib. ITK 5.2 refuses every affine that is not orthonormal to the last digits, and
-// its reader sets NaN to zero; the library under it does neither when its image loader is left
-// alone.
+// NIfTI, read by nifti_clib. ITK 5.2 rejects every affine that is not orthonormal to the last
+// digits, and its reader replaces NaN by zero. The library below it does neither if its image
+// loader is not used.
 #include <nifti1_io.h>
 
 #include <cmath>
@@ -11,14 +11,14 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
-#include "volume/formats.h"
 #include "volume/itk_image.h"
 #include "volume/placement.h"
+#include "volume/volume_formats.h"
 
 namespace isostar::native {
 namespace {
 
-constexpr double kNoticeableShear = 0.01;  // degrees; rounding in a float header stays below
+constexpr double kNoticeableShear = 0.01;  // degrees; above the rounding of a float header
 
 using Header = std::unique_ptr<nifti_image, decltype(&nifti_image_free)>;
 
@@ -26,7 +26,7 @@ Header openHeader(const std::string& path) {
   nifti_set_debug_level(0);
   fileSize(path);
   Header header(nifti_image_read(path.c_str(), 0), nifti_image_free);
-  if (!header) throw Failure(path, "is no NIfTI file, or its header is damaged");
+  if (!header) throw Failure(path, "is not a NIfTI file, or its header is damaged");
   return header;
 }
 
@@ -62,8 +62,8 @@ ClaimedSize sizeOf(const nifti_image& header, const std::string& path) {
   const int sizes[] = {header.nx, header.ny, header.nz, header.nt, header.nu, header.nv, header.nw};
   for (int axis = 4; axis < header.ndim; ++axis) {
     if (sizes[axis] > 1)
-      throw Failure(path,
-                    text("has %d dimensions; four, the last one time, are the most", header.ndim));
+      throw Failure(path, text("has %d dimensions; at most four are read, the fourth being time",
+                               header.ndim));
   }
   ClaimedSize size{1, 1, 1};
   for (int axis = 0; axis < std::min(3, header.ndim); ++axis) size[axis] = sizes[axis];
@@ -81,8 +81,7 @@ double millimetres(const nifti_image& header) {
   }
 }
 
-/// The sform where the file has one, else the qform, else the bare spacing; NIfTI's RAS turned into
-/// LPS.
+/// From the sform if the file has one, else the qform, else the spacing. NIfTI's RAS becomes LPS.
 Placement placementIn(const nifti_image& header, const std::string& path) {
   const mat44& affine = header.sform_code > 0 ? header.sto_xyz : header.qto_xyz;
   std::array<double, 3> origin{};
@@ -102,7 +101,7 @@ void readSamples(const nifti_image& header, const std::string& path, SampleBuffe
   const int compressed = nifti_is_gzfile(header.iname);
   const std::unique_ptr<znzptr, Close> file(znzopen(header.iname, "rb", compressed));
   if (!file || znzseek(file.get(), header.iname_offset, SEEK_SET) < 0)
-    throw Failure(path, text("its samples in %s cannot be read", header.iname));
+    throw Failure(path, text("cannot read the samples in %s", header.iname));
   const size_t got = znzread(to.data(), 1, to.bytes(), file.get());
   if (got != to.bytes())
     throw Failure(path, text("ends after %zu of %zu bytes of samples", got, to.bytes()));
@@ -114,7 +113,7 @@ void readSamples(const nifti_image& header, const std::string& path, SampleBuffe
 
 LoadedVolume readNifti(const std::string& path) {
   const Header header = openHeader(path);
-  if (!header->iname) throw Failure(path, "the file with its samples is missing");
+  if (!header->iname) throw Failure(path, "has no file with its samples");
   LoadedVolume volume;
   volume.placement = placementIn(*header, path);
   ItkHeader claimed;
@@ -127,14 +126,14 @@ LoadedVolume readNifti(const std::string& path) {
     volume.size[axis] = static_cast<int32_t>(claimed.size[axis]);
   volume.frames = static_cast<int32_t>(claimed.frames);
   if (volume.frames > 1) volume.dimension = 4;
-  // Slope 0 means that the samples are not scaled; a slope that is not finite can only mean the
+  // Slope 0 means that the samples are not scaled. A slope that is not finite is taken to mean the
   // same.
   const bool scaled = header->scl_slope != 0 && std::isfinite(header->scl_slope) &&
                       std::isfinite(header->scl_inter);
   volume.samples = scaled ? buffer.take(header->scl_slope, header->scl_inter) : buffer.take();
   if (const double shear = shearDegrees(volume.placement); shear > kNoticeableShear)
     volume.remarks.push_back(
-        text("the axes are %.3g degrees off a right angle; the shear is kept", shear));
+        text("the axes are %.3g degrees from a right angle; the shear is kept", shear));
   return volume;
 }
 

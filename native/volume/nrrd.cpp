@@ -1,8 +1,8 @@
 #include <itkNrrdImageIO.h>
 
 #include "files/text.h"
-#include "volume/formats.h"
 #include "volume/itk_image.h"
+#include "volume/volume_formats.h"
 
 namespace isostar::native {
 

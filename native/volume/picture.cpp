@@ -1,4 +1,4 @@
-// Pictures: PNG, JPEG and single-page TIFF, as grey images.
+// PNG, JPEG and single-page TIFF as grey images.
 #include <itkJPEGImageIO.h>
 #include <itkPNGImageIO.h>
 
@@ -7,14 +7,14 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
-#include "volume/formats.h"
 #include "volume/itk_image.h"
+#include "volume/volume_formats.h"
 
 namespace isostar::native {
 namespace {
 
-/// Grey, grey and opacity, red green blue, or these and opacity; of colours the luminance (Rec.
-/// 709).
+/// The grey value of a sample with 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGBA) components; the
+/// luminance (Rec. 709) of colours.
 double greyOf(const float* sample, unsigned components) {
   return components < 3 ? sample[0] : 0.2126 * sample[0] + 0.7152 * sample[1] + 0.0722 * sample[2];
 }

@@ -34,7 +34,7 @@ Placement placementOf(const std::string& file, const std::array<double, 3>& orig
     placement.spacing[axis] = length;
     for (int row = 0; row < 3; ++row) placement.direction[3 * row + axis] = step[row] / length;
   }
-  // Unit columns: the determinant is the volume of the cell, which no real scan flattens this far.
+  // With unit columns the determinant is the volume of a cell. No real scan is this flat.
   if (const double volume = determinant(placement.direction); std::abs(volume) < 1e-6)
     throw Failure(
         file,

@@ -7,18 +7,18 @@
 
 namespace isostar::native {
 
-/// A world step along each index axis.
+/// The step in the world along each index axis.
 using AxisSteps = std::array<std::array<double, 3>, 3>;
 
-/// Spacing is the length of each step, direction the rest; whatever the affine was, it is kept.
-/// Fails with one line naming `file` where it cannot be inverted.
+/// The length of each step becomes the spacing, its direction the direction: any affine map is
+/// preserved. Throws a Failure naming `file` if the map is not invertible.
 Placement placementOf(const std::string& file, const std::array<double, 3>& origin,
                       const AxisSteps& steps);
 
-/// How far the axes are from a right angle, in degrees; 0 for an orthogonal grid.
+/// The largest deviation of two axes from a right angle, in degrees; 0 for an orthogonal grid.
 double shearDegrees(const Placement&);
 
-/// The length of the shortest step: the unit of lengths given in grid steps.
+/// The length of the shortest step, in which lengths in grid steps are measured.
 double smallestSpacing(const Placement&);
 
 }  // namespace isostar::native

@@ -4,10 +4,10 @@
 
 namespace isostar::native {
 
-/// How far, in grid steps, the rounding of samples moves the surface: half of what they are whole
-/// numbers of (1, 1/255, else the last bit of the largest), over the mean difference between
-/// neighbours on the two sides of the isovalue. 0 where no neighbours along the first axis are on
-/// both sides.
+/// How far the rounding of samples moves the surface, in grid steps: half the unit in which the
+/// samples are whole numbers (1, 1/255, else the last bit of the largest sample), divided by the
+/// mean difference of neighbours on either side of the isovalue. 0 if no edge along the first axis
+/// crosses.
 double precisionOf(const std::vector<float>& samples, int samplesAlongFirstAxis, double isovalue);
 
 }  // namespace isostar::native

@@ -1,11 +1,12 @@
-// A file of samples and nothing else, x fastest, little endian; the command line tells the rest.
+// A file of samples without a header, x fastest, little endian. The command line gives size and
+// type.
 #include <cstring>
 #include <fstream>
 
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
-#include "volume/formats.h"
+#include "volume/volume_formats.h"
 
 namespace isostar::native {
 
@@ -13,7 +14,7 @@ LoadedVolume readRaw(const VolumeRequest& request) {
   const uint64_t length = fileSize(request.path);
   SampleBuffer buffer(request.path, *request.size, *request.type, length);
   if (buffer.bytes() != length)
-    throw Failure(request.path, text("has %llu bytes, --size and --type ask for %zu",
+    throw Failure(request.path, text("has %llu bytes, but --size and --type require %zu",
                                      static_cast<unsigned long long>(length), buffer.bytes()));
   std::ifstream file(request.path, std::ios::binary);
   file.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(buffer.bytes()));

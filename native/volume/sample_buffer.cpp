@@ -12,7 +12,7 @@
 namespace isostar::native {
 namespace {
 
-// Deflate shrinks at most 1032 times, TIFF's LZW and run lengths less than 2000 times.
+// Deflate compresses at most by 1032, TIFF's LZW and run lengths by less than 2000.
 constexpr double kBestCompression = 2000;
 constexpr double kSmallFile = 4096;
 
@@ -21,8 +21,8 @@ double physicalMemory() {
          static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-void requireBelievable(const std::string& file, const ClaimedSize& size, SampleType type,
-                       uint64_t fileBytes) {
+void requirePlausible(const std::string& file, const ClaimedSize& size, SampleType type,
+                      uint64_t fileBytes) {
   const std::string named = text("%lld x %lld x %lld", static_cast<long long>(size[0]),
                                  static_cast<long long>(size[1]), static_cast<long long>(size[2]));
   for (int64_t side : size) {
@@ -33,11 +33,11 @@ void requireBelievable(const std::string& file, const ClaimedSize& size, SampleT
       static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]);
   const double needed = count * static_cast<double>(bytesOf(type));
   if (fileBytes > 0 && needed > kSmallFile + kBestCompression * static_cast<double>(fileBytes))
-    throw Failure(file, text("%s samples are claimed, which %s cannot hold", named.c_str(),
+    throw Failure(file, text("claims %s samples, which %s cannot hold", named.c_str(),
                              readableBytes(fileBytes).c_str()));
   const double memory = type == SampleType::F32 ? needed : needed + 4 * count;
   if (memory > physicalMemory())
-    throw Failure(file, text("%s samples need %s of memory, this machine has %s", named.c_str(),
+    throw Failure(file, text("%s samples need %s of memory; this machine has %s", named.c_str(),
                              readableBytes(static_cast<uint64_t>(std::min(memory, 1e19))).c_str(),
                              readableBytes(static_cast<uint64_t>(physicalMemory())).c_str()));
 }
@@ -67,7 +67,7 @@ size_t bytesOf(SampleType type) {
 SampleBuffer::SampleBuffer(std::string file, const ClaimedSize& size, SampleType type,
                            uint64_t fileBytes)
     : file_(std::move(file)), type_(type) {
-  requireBelievable(file_, size, type, fileBytes);
+  requirePlausible(file_, size, type, fileBytes);
   for (int axis = 0; axis < 3; ++axis) size_[axis] = static_cast<int32_t>(size[axis]);
   count_ =
       static_cast<size_t>(size[0]) * static_cast<size_t>(size[1]) * static_cast<size_t>(size[2]);

@@ -12,14 +12,14 @@ enum class SampleType : uint8_t { U8, I8, U16, I16, U32, I32, U64, I64, F32, F64
 
 size_t bytesOf(SampleType);
 
-/// A file's size in samples, as large as the file claims it: not yet believed.
+/// A file's size in samples as its header claims it, not yet validated.
 using ClaimedSize = std::array<int64_t, 3>;
 
-/// Room for a volume's samples in the file's own type, which become floats at the end.
+/// A volume's samples in the file's type, which take() converts to floats.
 class SampleBuffer {
  public:
-  /// Fails with one line, before allocating, on a size that is not positive, that this machine
-  /// cannot hold, or that `fileBytes` cannot contain even compressed. `fileBytes` 0: not known.
+  /// Throws a Failure before it allocates if the size is not positive, exceeds this machine's
+  /// memory, or cannot fit into `fileBytes` even compressed. `fileBytes` 0: unknown.
   SampleBuffer(std::string file, const ClaimedSize&, SampleType, uint64_t fileBytes);
 
   std::byte* data();
@@ -27,8 +27,8 @@ class SampleBuffer {
   SampleType type() const { return type_; }
   std::array<int32_t, 3> size() const { return size_; }
 
-  /// The samples as floats, `slope · sample + intercept`; fails where one is not finite, telling
-  /// where and how many.
+  /// The samples as floats, `slope · sample + intercept`. Throws a Failure that says how many
+  /// samples are not finite, and where the first one is.
   std::vector<float> take(double slope = 1, double intercept = 0);
 
  private:
@@ -41,7 +41,7 @@ class SampleBuffer {
   SampleType type_;
   size_t count_ = 0;
   std::vector<std::byte> raw_;
-  std::vector<float> floats_;  // where the file holds floats, they are read right into their place
+  std::vector<float> floats_;  // F32 samples are read directly into it
 };
 
 }  // namespace isostar::native

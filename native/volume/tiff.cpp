@@ -7,14 +7,14 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
-#include "volume/formats.h"
 #include "volume/itk_image.h"
 #include "volume/tiff_pages.h"
+#include "volume/volume_formats.h"
 
 namespace isostar::native {
 namespace {
 
-/// "slice10" comes after "slice9": runs of digits compare as numbers.
+/// Runs of digits compare as numbers: "slice9" comes before "slice10".
 bool naturallyBefore(const std::string& a, const std::string& b) {
   const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   for (size_t i = 0, j = 0; i < a.size() && j < b.size();) {
@@ -35,12 +35,12 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
   return a.size() < b.size();
 }
 
-/// TIFF's resolution says nothing of the distance between slices, and most programs write 72 dots
-/// an inch into it.
-void forgetPlacement(LoadedVolume& volume) {
+/// TIFF's resolution does not include the distance between slices, and most programs write 72 dots
+/// per inch.
+void discardPlacement(LoadedVolume& volume) {
   volume.placement = {};
   volume.remarks.push_back(
-      "a TIFF does not tell its spacing: 1 x 1 x 1 is taken; --spacing gives another");
+      "a TIFF has no reliable spacing: 1 x 1 x 1 is assumed; --spacing sets another");
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ LoadedVolume readTiff(const std::string& path) {
   const auto io = itk::TIFFImageIO::New();
   if (readHeader(*io, path, 4).dimension == 2) return pictureFrom(*io, path);
   LoadedVolume volume = readWholeImage(*itk::TIFFImageIO::New(), path, true);
-  forgetPlacement(volume);
+  discardPlacement(volume);
   return volume;
 }
 
@@ -60,7 +60,7 @@ LoadedVolume readTiffStack(const std::string& folder, const std::vector<std::str
   const ItkHeader first = readHeader(*itk::TIFFImageIO::New(), slices.front());
   ClaimedSize size = first.size;
   if (size[2] != 1)
-    throw Failure(slices.front(), "has several pages; a stack is made of single ones");
+    throw Failure(slices.front(), "has several pages; the files of a stack must have one each");
   size[2] = static_cast<int64_t>(slices.size());
   SampleBuffer buffer(folder, size, first.type, 0);
   const size_t sliceBytes = buffer.bytes() / slices.size();
@@ -74,7 +74,7 @@ LoadedVolume readTiffStack(const std::string& folder, const std::vector<std::str
   LoadedVolume volume;
   volume.size = buffer.size();
   volume.samples = buffer.take();
-  forgetPlacement(volume);
+  discardPlacement(volume);
   return volume;
 }
 

@@ -10,7 +10,7 @@
 namespace isostar::native {
 namespace {
 
-/// Walks from page to page by the links behind their directories.
+/// Follows the links from page to page and checks the sizes in their directories.
 class PageList {
  public:
   explicit PageList(const std::string& path) : path_(path), file_(path, std::ios::binary) {
@@ -24,7 +24,7 @@ class PageList {
     std::set<uint64_t> seen;
     Size first;
     for (uint64_t page = link(); page != 0; page = link()) {
-      if (!seen.insert(page).second) throw Failure(path_, "its list of pages runs in a circle");
+      if (!seen.insert(page).second) throw Failure(path_, "has a cyclic list of pages");
       file_.seekg(static_cast<std::streamoff>(page));
       const Size size = readDirectory();
       if (size.thumbnail) continue;
@@ -56,8 +56,8 @@ class PageList {
     return size;
   }
 
-  /// The value of a directory entry where it is one number: at the start of its room, whatever the
-  /// order of bytes.
+  /// The value of a directory entry that is one number. It comes first in its field, in either byte
+  /// order.
   uint64_t readValue(uint64_t type) {
     constexpr uint64_t kShort = 3, kLong8 = 16;
     const int room = large_ ? 8 : 4, bytes = type == kShort ? 2 : type == kLong8 ? room : 4;
@@ -72,7 +72,7 @@ class PageList {
     uint64_t value = 0;
     for (int i = 0; i < bytes; ++i) {
       const int byte = file_.get();
-      if (byte < 0) throw Failure(path_, "ends within its list of pages");
+      if (byte < 0) throw Failure(path_, "ends inside its list of pages");
       value |= static_cast<uint64_t>(byte) << 8 * (little_ ? i : bytes - 1 - i);
     }
     return value;

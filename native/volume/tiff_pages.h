@@ -4,9 +4,8 @@
 
 namespace isostar::native {
 
-/// Fails with one line where the list of a TIFF's pages leads out of the file, as libtiff takes the
-/// pages before for all, and where its pages differ in size, as ITK takes each for one like the
-/// first.
+/// Throws a Failure if the list of a TIFF's pages leads out of the file (libtiff would silently
+/// drop the rest) or if the pages differ in size (ITK would read each with the size of the first).
 void requireEqualPages(const std::string& path);
 
 }  // namespace isostar::native

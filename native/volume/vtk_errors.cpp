@@ -31,7 +31,7 @@ void refuseEntities(const std::string& path) {
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<size_t>(file.gcount()));
   if (head.find("<!DOCTYPE") != std::string::npos || head.find("<!ENTITY") != std::string::npos)
-    throw Failure(path, "has a DOCTYPE or an ENTITY, which no VTK file needs");
+    throw Failure(path, "has a DOCTYPE or an ENTITY, which is not allowed in VTK files");
 }
 
 }  // namespace isostar::native

@@ -6,12 +6,12 @@ class vtkAlgorithm;
 
 namespace isostar::native {
 
-/// Runs a VTK reader; false where it met any error. VTK goes on after most of them, and misses
-/// samples with no more than a warning in its window.
+/// Runs a VTK reader; false after any error or warning. VTK continues after most errors, and
+/// reports missing samples only as a warning.
 bool updateQuietly(vtkAlgorithm&);
 
-/// An XML file with entities can grow without bound while it is parsed; no VTK file needs them.
-/// Fails with one line.
+/// Throws a Failure on an XML file with entities: they can expand without bound while the file is
+/// parsed, and no VTK file needs them.
 void refuseEntities(const std::string& path);
 
 }  // namespace isostar::native

@@ -1,4 +1,4 @@
-// VTK's images: .vti and the legacy .vtk with structured points.
+// VTK images: .vti and legacy .vtk with structured points.
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
@@ -14,8 +14,8 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
-#include "volume/formats.h"
 #include "volume/placement.h"
+#include "volume/volume_formats.h"
 #include "volume/vtk_errors.h"
 
 namespace isostar::native {
@@ -47,11 +47,11 @@ SampleType sampleType(const vtkDataArray& array, const std::string& path) {
     case VTK_DOUBLE:
       return SampleType::F64;
     default:
-      throw Failure(path, "its samples are of a type that is not read");
+      throw Failure(path, "has samples of an unsupported type");
   }
 }
 
-/// The active scalars, or the only array there is.
+/// The active scalars, or the only array.
 vtkDataArray& samplesOf(vtkImageData& image, const std::string& path) {
   vtkPointData& points = *image.GetPointData();
   vtkDataArray* array = points.GetScalars();
@@ -59,11 +59,11 @@ vtkDataArray& samplesOf(vtkImageData& image, const std::string& path) {
   if (!array) throw Failure(path, "has no scalars at its points");
   if (array->GetNumberOfComponents() != 1)
     throw Failure(path,
-                  text("has %d values a sample; one is needed", array->GetNumberOfComponents()));
+                  text("has %d values per sample; one is needed", array->GetNumberOfComponents()));
   return *array;
 }
 
-/// VTK counts indices from the extent's corner, which need not be zero.
+/// VTK's indices start at the extent's corner, which need not be zero.
 Placement placementIn(vtkImageData& image, const std::string& path) {
   double corner[3];
   const int* extent = image.GetExtent();
@@ -79,7 +79,7 @@ Placement placementIn(vtkImageData& image, const std::string& path) {
 
 LoadedVolume load(vtkImageData* image, const std::string& path) {
   if (!image || image->GetNumberOfPoints() == 0)
-    throw Failure(path, "is no VTK image, or it is damaged");
+    throw Failure(path, "is not a VTK image, or it is damaged");
   vtkDataArray& array = samplesOf(*image, path);
   const int* size = image->GetDimensions();
   SampleBuffer buffer(path, {size[0], size[1], size[2]}, sampleType(array, path), 0);
@@ -97,7 +97,7 @@ template <class Reader>
 LoadedVolume readWith(const std::string& path) {
   const vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
-  if (!updateQuietly(*reader)) throw Failure(path, "is no VTK image, or it is damaged");
+  if (!updateQuietly(*reader)) throw Failure(path, "is not a VTK image, or it is damaged");
   return load(reader->GetOutput(), path);
 }
 

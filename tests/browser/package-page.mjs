@@ -1,4 +1,4 @@
-// A page as a user of the package would bundle it, left in a folder to be served.
+// A page as a user of the package would bundle it, in a folder to be served.
 import { build } from 'esbuild';
 import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,19 +9,32 @@ const dist = fileURLToPath(new URL('../../web/dist/', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'isostar-page-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
 
+const PAGE = `<!doctype html>
+<title>test</title>
+<link rel="icon" href="data:,">
+<script type="module" src="../main.js"></script>
+<body></body>`;
+
 const SCRIPT = `
   import { createDecoder, IsostarError } from 'isostar';
   import { IsostarLoader } from 'isostar/three';
   import 'isostar/element';
   Object.assign(window, { createDecoder, IsostarError, IsostarLoader });`;
 
-/** esbuild does not follow \`new URL(…, import.meta.url)\`, so the worker, what it imports and the wasm lie beside the bundle. */
+/**
+ * esbuild does not follow `new URL(…, import.meta.url)`, so the worker, its imports and the
+ * WebAssembly are put beside the bundle.
+ */
 export async function makePage() {
   const options = { bundle: true, format: 'esm', logLevel: 'error', outdir: folder };
-  await build({ ...options, stdin: { contents: SCRIPT, resolveDir: fileURLToPath(new URL('.', import.meta.url)) }, entryNames: 'main' });
+  await build({
+    ...options,
+    stdin: { contents: SCRIPT, resolveDir: fileURLToPath(new URL('.', import.meta.url)) },
+    entryNames: 'main',
+  });
   await build({ ...options, entryPoints: [join(dist, 'worker.js')] });
   copyFileSync(join(dist, 'decoder.wasm'), join(folder, 'decoder.wasm'));
   mkdirSync(join(folder, 'page'));
-  writeFileSync(join(folder, 'page', 'index.html'), '<!doctype html><title>test</title><link rel="icon" href="data:,"><script type="module" src="../main.js"></script><body></body>');
+  writeFileSync(join(folder, 'page', 'index.html'), PAGE);
   return folder;
 }

@@ -38,7 +38,7 @@ GeometryPass<D> anyPass(std::mt19937_64& random, bool displaced) {
               : below(2) == 0            ? LayerKind::Exponents
                                          : LayerKind::Magnitudes;
   pass.members = static_cast<Members>(below(2));
-  pass.depth = below(6);
+  pass.exponentRange = below(6);
   pass.allowed.fill(static_cast<uint32_t>(1 << below(20)));
   pass.allowed[0] = 0;
   pass.most = below(33);

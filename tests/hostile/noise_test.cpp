@@ -129,7 +129,7 @@ Bytes adaptiveStreamOf(Header header, Payload payload) {
       Bytes bytes = fieldsOf<3>(pass);
       const Bytes coded = payload([&](auto& exchange) {
         if (kind == LayerKind::Exponents)
-          field.codeExponents(exchange, pass.depth, header.polygonizer);
+          field.codeExponents(exchange, pass.exponentRange, header.polygonizer);
         else
           field.codeMagnitudes(exchange, pass.magnitudePass(header.fitted));
       });

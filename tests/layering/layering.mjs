@@ -1,110 +1,87 @@
-// Which file may include which: the arrows of docs/design.md, kept. Prints each arrow that is not in the table; status 1 if any.
+// Which folder may include which: the architecture, held. `node tests/layering/layering.mjs` prints
+// each include that breaks it (status 1 if any), `--picture` the picture in docs/architecture.md.
 import { readFileSync, readdirSync, statSync } from 'node:fs';
-import { basename, dirname, join, relative } from 'node:path';
+import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-/** Parts of shared/; inside a part a file may include those before it. */
-const PARTS = {
-  api: ['isostar.h'],
-  seldom: ['seldom.h'],
-  errors: ['errors.cpp'],
-  bytes: ['bytes.h'],
-  lanes: ['lanes.h'],
-  coder: ['range_coder.h', 'models.h'],
-  hierarchy: ['lattice.h', 'bricks.h', 'window.h', 'octave.h', 'simplex.h', 'row_packs.h', 'neighbourhood.h', 'fresh_rows.h', 'shape_estimate.h', 'tube.h', 'vertex_front.h'],
-  rbmt: ['diamond.h', 'tagged_simplex.h', 'rbmt.h', 'leaves.h', 'decomposition.h', 'linear_function.h', 'criteria.h', 'topology.h', 'adjacency.h', 'leaf_set.h'],
-  scalars: ['reciprocal.h', 'pool.h', 'scalars.h', 'halo_window.h', 'scalar_window.h', 'fit_window.h', 'local_fit.h', 'intervals.h', 'far_ends.h', 'interpolation.h', 'prediction.h', 'displacements.h', 'displacement_window.h', 'hints.h', 'smoothing.h', 'completion.h'],
-  aims: ['crossing_errors.h', 'aim.h'],
-  exchange: ['exchange.h'],
-  singleRate: ['seed_coder.h', 'mesh_exchange.h', 'gate_traversal.h'],
-  traversal: [
-    ...['base_coder.h', 'sign_coder.h', 'whole_cell_coder.h', 'exception_coder.h', 'refinement_coder.h', 'filling_coder.h'],
-    ...['displacement_coder.h', 'octaves_coder.h', 'fit_coder.h', 'halving_coder.h'],
-    ...['domain_coder.h', 'near_signs_coder.h', 'near_halving_coder.h', 'close_by.h', 'between.h'],
-  ],
-  header: ['header.h', 'header.cpp'],
-  container: ['stream.h', 'stream.cpp'],
-  layers: ['geometry_pass.h', 'layers.h'],
-  layerBytes: ['layer_bytes.h'],
-  adaptive: ['adaptive_mesh.h', 'adaptive_octave.h', 'adaptive_field.h'],
-  polygonizer: [
-    ...['surface.h', 'crossings.h', 'corner_signs.h', 'cell_table.h', 'cell_table.cpp', 'cell_cut.h', 'trim.h', 'trim.cpp', 'polygonizer.h', 'polygonizer.cpp'],
-    ...['contour.h', 'contour.cpp', 'time_slice.h', 'time_slice.cpp'],
-  ],
-  field: ['field.h', 'field.cpp'],
-  distance: ['vertex_cloud.h', 'source_distance.h', 'source_distance.cpp', 'displacement_plan.h', 'displacement_plan.cpp', 'source.h'],
-  source: ['polygonize.cpp', 'sampled.cpp'],
-  adaptiveEncoder: ['adaptive_plan.h', 'adaptive_plan.cpp', 'adaptive_distance.h', 'planned_field.h', 'adaptive_writer.h', 'encode_adaptive.h', 'encode_adaptive.cpp'],
-  topologyEncoder: ['topology_plan.h', 'topology_plan.cpp', 'sign_turns.h', 'sign_turns.cpp', 'encode_topology.h', 'encode_topology.cpp'],
-  encoder: ['layer_writer.h', 'encode.cpp'],
-  reconstruction: ['reconstruction.h', 'adaptive_reconstruction.h', 'reconstruction_in.h', 'reconstruction.cpp', 'volumes_only.cpp'],
-  decoder: ['decode.cpp'],
-};
-
-/** The parts that a part may include: the decoder cannot see the field, the polygonizer no coder. */
-const ARROWS = {
+/**
+ * The folders of shared/src, and what each may include. The decoder cannot see the encoder, the
+ * surface no coder. `api` is the public header.
+ */
+export const ARROWS = {
   api: [],
-  seldom: [],
-  errors: ['api'],
-  bytes: [],
-  lanes: [],
-  coder: ['lanes'],
-  hierarchy: ['seldom'],
-  rbmt: ['hierarchy'],
-  scalars: ['seldom', 'hierarchy', 'lanes', 'api'],
-  aims: ['coder'],
-  exchange: ['aims', 'coder', 'hierarchy'],
-  singleRate: ['coder', 'hierarchy', 'rbmt'],
-  traversal: ['seldom', 'exchange', 'coder', 'hierarchy', 'scalars'],
-  header: ['hierarchy', 'api'],
-  container: ['bytes', 'header'],
-  layers: ['seldom', 'adaptive', 'traversal', 'container', 'hierarchy', 'scalars'],
-  layerBytes: ['exchange', 'layers', 'container'],
-  polygonizer: ['seldom', 'hierarchy', 'scalars', 'api'],
-  field: ['aims', 'hierarchy', 'header', 'scalars', 'lanes', 'api'],
-  distance: ['field', 'hierarchy', 'scalars', 'polygonizer'],
-  source: ['field', 'hierarchy', 'scalars', 'polygonizer', 'api'],
-  adaptive: ['seldom', 'traversal', 'exchange', 'hierarchy', 'scalars', 'api'],
-  adaptiveEncoder: ['adaptive', 'field', 'distance', 'layerBytes', 'polygonizer', 'hierarchy', 'scalars', 'api'],
-  topologyEncoder: ['adaptive', 'header', 'polygonizer', 'rbmt', 'hierarchy'],
-  encoder: ['field', 'distance', 'layerBytes', 'layers', 'adaptiveEncoder', 'topologyEncoder', 'scalars', 'api'],
-  reconstruction: ['seldom', 'container', 'layers', 'adaptive', 'traversal', 'hierarchy', 'scalars', 'polygonizer', 'api'],
-  decoder: ['seldom', 'reconstruction', 'api'],
+  util: [],
+  entropy: ['util'],
+  grid: ['util'],
+  container: ['grid', 'api'],
+  bisection: ['grid'],
+  scalars: ['grid', 'util'],
+  surface: ['scalars', 'grid', 'util', 'api'],
+  estimate: ['scalars', 'grid', 'util', 'api'],
+  'coding/exchange': ['entropy', 'estimate', 'grid'],
+  'coding/signs': ['coding/exchange', 'grid', 'util'],
+  'coding/geometry': [
+    ...['coding/exchange', 'container', 'entropy', 'estimate', 'scalars', 'grid', 'util'],
+  ],
+  'coding/isovalues': ['coding/geometry', 'coding/exchange', 'estimate', 'scalars', 'grid'],
+  'coding/adaptive': [
+    ...['coding/signs', 'coding/geometry', 'bisection', 'entropy', 'estimate', 'scalars', 'grid'],
+    ...['util'],
+  ],
+  coding: [
+    ...['coding/signs', 'coding/geometry', 'coding/isovalues', 'coding/adaptive', 'container'],
+    ...['estimate', 'grid', 'util'],
+  ],
+  decoder: [
+    ...['coding', 'coding/geometry', 'coding/isovalues', 'coding/adaptive', 'container', 'surface'],
+    ...['estimate', 'util', 'api'],
+  ],
+  'encoder/core': [
+    ...['coding/exchange', 'coding/geometry', 'container', 'surface', 'estimate', 'scalars'],
+    ...['grid', 'util', 'api'],
+  ],
+  'encoder/adaptive': ['encoder/core', 'coding/adaptive', 'scalars', 'api'],
+  'encoder/topology': ['coding/adaptive', 'container', 'surface', 'bisection', 'grid'],
+  encoder: ['encoder/core', 'encoder/adaptive', 'encoder/topology', 'coding', 'api'],
 };
 
 /** The C++ library as far as the codec needs it: no threads, files, streams, clocks. */
 const STANDARD = new Set(
-  'algorithm array bit cmath concepts cstddef cstdint cstdlib cstring deque functional limits map memory numeric optional set span string tuple type_traits utility vector'.split(' '),
+  (
+    'algorithm array bit cmath concepts cstddef cstdint cstdlib cstring deque functional limits ' +
+    'map memory numeric optional set span string tuple type_traits utility vector'
+  ).split(' '),
 );
-/** Header-only libraries, and the one file that may use each. */
-const LIBRARIES = { glm: 'polygonizer.cpp', 'xxhash.h': 'stream.cpp' };
+/** Header-only libraries, and the one folder that may use each. */
+const LIBRARIES = { glm: 'surface', 'xxhash.h': 'container' };
 
-const partOf = (file) => Object.keys(PARTS).find((part) => PARTS[part].includes(file));
+/** Coders written for a comparison, in no stream: they may build on these folders. */
+const COMPARISON = {
+  folder: 'native/bench/figure6/',
+  parts: ['container', 'entropy', 'grid', 'bisection', 'coding/adaptive'],
+};
 
-function mayInclude(file, target) {
-  const [from, to] = [partOf(file), partOf(target)];
-  if (from !== to) return ARROWS[from].includes(to);
-  return PARTS[from].indexOf(target) < PARTS[from].indexOf(file);
-}
+const folderOf = (path) => (path.startsWith('isostar/') ? 'api' : dirname(path));
 
-function offenceInShared(file, { target, system }) {
-  if (!partOf(file)) return 'is in no part of tests/layering/layering.mjs';
+function offenceInShared(path, { target, system }) {
+  const from = path.startsWith('include/') ? 'api' : folderOf(path.replace(/^src\//, ''));
+  if (!ARROWS[from]) return 'is in a folder that tests/layering/layering.mjs does not know';
   if (system) {
-    const library = target.split('/')[0];
-    if (STANDARD.has(target) || LIBRARIES[library] === file) return null;
-  } else if (partOf(basename(target)) && mayInclude(file, basename(target))) return null;
+    if (STANDARD.has(target) || LIBRARIES[target.split('/')[0]] === from) return null;
+  } else {
+    const to = folderOf(target);
+    if (to === from || ARROWS[from].includes(to)) return null;
+  }
   return `may not include ${target}`;
 }
 
-/** The one folder outside that builds on the codec's parts: coders written for a comparison, of none of its streams. */
-const COMPARISON = { folder: 'native/bench/figure6/', parts: ['bytes', 'coder', 'hierarchy', 'rbmt', 'singleRate'] };
-
-/** Outside shared/ the codec is its public header, and isostar's other folders never reach into it. */
-function offenceOutside(file, { target }) {
-  const compares = file.startsWith(COMPARISON.folder);
-  const internal = Object.keys(PARTS).filter((part) => !compares || !COMPARISON.parts.includes(part)).flatMap((part) => PARTS[part]).filter((name) => name !== 'isostar.h');
-  if (target.includes('shared/') || target.includes('src/') || internal.includes(target)) return `may not include ${target}`;
-  return null;
+/** Outside shared/ the codec is its public header, and no other folder reaches into it. */
+function offenceOutside(path, { target }) {
+  const compares = path.startsWith(COMPARISON.folder);
+  const part = folderOf(target);
+  const isInternal = ARROWS[part] && part !== 'api';
+  if (isInternal && !(compares && COMPARISON.parts.includes(part))) return `may not include ${target}`;
+  return /shared\/|src\//.test(target) ? `may not include ${target}` : null;
 }
 
 function* sourcesBelow(folder) {
@@ -117,14 +94,38 @@ function* sourcesBelow(folder) {
 }
 
 const includesOf = (path) =>
-  [...readFileSync(path, 'utf8').matchAll(/^\s*#\s*include\s*([<"])([^>"]+)[>"]/gm)].map(([, quote, target]) => ({ target, system: quote === '<' }));
+  [...readFileSync(path, 'utf8').matchAll(/^\s*#\s*include\s*([<"])([^>"]+)[>"]/gm)].map(
+    ([, quote, target]) => ({ target, system: quote === '<' }),
+  );
+
+/** Files of shared/src that include each other in a circle, one line a circle. */
+function circles(root) {
+  const folder = join(root, 'shared/src');
+  const paths = [...sourcesBelow(folder)].map((path) => relative(folder, path));
+  const includes = new Map(
+    paths.map((path) => [path, includesOf(join(folder, path)).map(({ target }) => target)]),
+  );
+  const found = [];
+  const done = new Set();
+  const visit = (path, way) => {
+    if (way.includes(path)) found.push(`${[...way.slice(way.indexOf(path)), path].join(' → ')}`);
+    else if (!done.has(path))
+      for (const next of includes.get(path) ?? []) visit(next, [...way, path]);
+    done.add(path);
+  };
+  for (const path of paths) visit(path, []);
+  return found;
+}
 
 export function offences(root) {
-  const found = [];
+  const found = circles(root);
   for (const folder of ['shared', 'native', 'wasm', 'web']) {
     for (const path of sourcesBelow(join(root, folder))) {
       for (const include of includesOf(path)) {
-        const offence = folder === 'shared' ? offenceInShared(basename(path), include) : offenceOutside(relative(root, path), include);
+        const offence =
+          folder === 'shared'
+            ? offenceInShared(relative(join(root, 'shared'), path), include)
+            : offenceOutside(relative(root, path), include);
         if (offence) found.push(`${relative(root, path)} ${offence}`);
       }
     }
@@ -132,8 +133,26 @@ export function offences(root) {
   return found;
 }
 
+/** Folders above those that they include; an arrow that others imply is left out. */
+export function picture() {
+  const reaches = (from, to) => ARROWS[from].some((next) => next === to || reaches(next, to));
+  const direct = (from) =>
+    ARROWS[from].filter(
+      (to) => !ARROWS[from].some((other) => other !== to && reaches(other, to)),
+    );
+  const width = Math.max(...Object.keys(ARROWS).map((name) => name.length));
+  return Object.keys(ARROWS)
+    .reverse()
+    .map((name) => `${name.padEnd(width)}  → ${direct(name).join(', ') || '(nothing)'}`)
+    .join('\n');
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const found = offences(process.argv[2] ?? join(dirname(fileURLToPath(import.meta.url)), '../..'));
-  for (const offence of found) console.error(offence);
-  process.exitCode = found.length > 0 ? 1 : 0;
+  if (process.argv.includes('--picture')) {
+    console.log(picture());
+  } else {
+    const found = offences(join(dirname(fileURLToPath(import.meta.url)), '../..'));
+    for (const offence of found) console.error(offence);
+    process.exitCode = found.length > 0 ? 1 : 0;
+  }
 }

@@ -5,10 +5,10 @@
 #include <random>
 
 #include "../property/sampled_field.h"
-#include "bench/figure6/displacement_coder.h"
 #include "bench/figure6/octree_codec.h"
+#include "bench/figure6/octree_displacement_coder.h"
+#include "bench/figure6/octree_sides.h"
 #include "bench/figure6/octree_signs.h"
-#include "bench/figure6/octree_truth.h"
 #include "bench/figure6/scalar_coder.h"
 #include "bench/figure6/single_rate_codec.h"
 #include "bench/figure6/volume_signs.h"
@@ -64,7 +64,7 @@ TEST(OctreeSigns, areTheSourcesOnEachLevel) {
   }
 }
 
-TEST(DisplacementCoder, comesNearerByHalfAPlane) {
+TEST(OctreeDisplacementCoder, comesNearerByHalfAPlane) {
   const auto field = sampled("gyroid", {17, 16, 33}, gyroid());
   const auto signs = signsOf(field.volume(), 0);
   const DualSurface surface(Lattice<3>(lastSample(field.size), 1), {1, 1, 1},
@@ -72,7 +72,7 @@ TEST(DisplacementCoder, comesNearerByHalfAPlane) {
   std::mt19937 dice(1);
   std::vector<double> actual(surface.vertices());
   for (double& d : actual) d = std::normal_distribution<>(0, 0.2)(dice);
-  DisplacementCoder coded(surface), decoded(surface);
+  OctreeDisplacementCoder coded(surface), decoded(surface);
   for (int plane = 0; plane < 6; ++plane) {
     std::vector<std::byte> bytes;
     RangeEncoder out(bytes);
@@ -85,7 +85,8 @@ TEST(DisplacementCoder, comesNearerByHalfAPlane) {
     EXPECT_EQ(coded.values(), decoded.values());
     for (size_t v = 0; v < actual.size(); ++v) {
       if (std::abs(actual[v]) < 1) {
-        EXPECT_LE(std::abs(decoded.values()[v] - actual[v]), DisplacementCoder::stepOf(plane));
+        EXPECT_LE(std::abs(decoded.values()[v] - actual[v]),
+                  OctreeDisplacementCoder::stepOf(plane));
       }
     }
   }

@@ -105,7 +105,7 @@ TEST_F(MeshFile, glbNodesLieWhereTheSceneHasThem) {
 }
 
 TEST_F(MeshFile, refusesDamagedGlb) {
-  EXPECT_NE(complaint("a.glb", glb(R"([{"children":[0],"mesh":0}])")).find("part of itself"),
+  EXPECT_NE(complaint("a.glb", glb(R"([{"children":[0],"mesh":0}])")).find("contains itself"),
             std::string::npos);
   EXPECT_NE(complaint("a.glb", glb(R"([{"children":[7]}])")).find("damaged"), std::string::npos);
   EXPECT_NE(complaint("a.glb", glb(R"([{"mesh":"x"}])")).find("damaged"), std::string::npos);
@@ -184,12 +184,12 @@ TEST_F(MeshFile, refusesWhatItCannotTrust) {
   EXPECT_NE(
       complaint("a.ply", "ply\nformat binary_big_endian 1.0\nend_header\n").find("big_endian"),
       std::string::npos);
-  EXPECT_NE(complaint("a.ply", "hello").find("is no PLY"), std::string::npos);
-  EXPECT_NE(complaint("a.obj", "v 0 0\n").find("no three coordinates"), std::string::npos);
+  EXPECT_NE(complaint("a.ply", "hello").find("is not a PLY"), std::string::npos);
+  EXPECT_NE(complaint("a.obj", "v 0 0\n").find("not have three coordinates"), std::string::npos);
   EXPECT_NE(complaint("a.obj", "v 0 0 0\nf 1 2 3\n").find("uses vertex 1 of 1"), std::string::npos);
   EXPECT_NE(complaint("a.obj", "v 0 0 0\nf 0 1 1\n").find("uses vertex 0"), std::string::npos);
-  EXPECT_NE(complaint("a.obj", "\x89PNG\n").find("is no OBJ"), std::string::npos);
-  EXPECT_NE(complaint("a.stl", "short").find("is no STL"), std::string::npos);
+  EXPECT_NE(complaint("a.obj", "\x89PNG\n").find("is not an OBJ"), std::string::npos);
+  EXPECT_NE(complaint("a.stl", "short").find("is not an STL"), std::string::npos);
 }
 
 TEST_F(MeshFile, everyPrefixOfAMeshIsReadOrRefused) {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "files/failure.h"
+#include "measure/mesh_topology.h"
 #include "measure/surface_distance.h"
-#include "measure/topology.h"
 #include "model/distance_field.h"
 #include "shapes.h"
 

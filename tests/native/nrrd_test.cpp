@@ -119,7 +119,7 @@ TEST_F(Nrrd, refusesColoursAndFiveAxes) {
         "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 2 2 2\nkinds: RGB-color domain domain "
         "domain\nencoding: raw\n\n" +
             std::string(24, 'x'));
-  EXPECT_NE(complaint(path("v.nrrd")).find("3 values a sample"), std::string::npos)
+  EXPECT_NE(complaint(path("v.nrrd")).find("3 values per sample"), std::string::npos)
       << complaint(path("v.nrrd"));
   write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 5\nsizes: 2 2 2 1 3\nencoding: raw\n\n" +
                       std::string(24, 'x'));

@@ -5,18 +5,18 @@
 #include <cmath>
 
 #include "files/failure.h"
+#include "measure/mesh_topology.h"
 #include "measure/surface_distance.h"
-#include "measure/topology.h"
 #include "tetrahedra/bounded_encoding.h"
+#include "tetrahedra/extended_surface.h"
 #include "tetrahedra/flat_boundary.h"
-#include "tetrahedra/grid_over.h"
+#include "tetrahedra/grid_choice.h"
 #include "tetrahedra/marching_tetrahedra.h"
-#include "tetrahedra/mend.h"
-#include "tetrahedra/resample.h"
-#include "tetrahedra/rimmed_surface.h"
+#include "tetrahedra/mesh_repair.h"
+#include "tetrahedra/resampled_field.h"
 #include "tetrahedra/tetrahedra_distance.h"
 #include "tetrahedra/tetrahedra_volume.h"
-#include "tetrahedra/trimmed.h"
+#include "tetrahedra/trimmed_surface.h"
 #include "tetrahedral_shapes.h"
 
 namespace isostar::native {
@@ -33,7 +33,7 @@ double ball(const Vector3& p) {
 }
 
 TetrahedralField fieldOf(TetrahedralMesh mesh) {
-  mend(mesh, "mesh");
+  repair(mesh, "mesh");
   return TetrahedralField(std::move(mesh));
 }
 
@@ -45,7 +45,7 @@ std::string remarksOf(const TetrahedralMesh& mesh) {
 
 std::string complaint(TetrahedralMesh mesh) {
   try {
-    mend(mesh, "mesh");
+    repair(mesh, "mesh");
   } catch (const Failure& failure) {
     return failure.what();
   }
@@ -55,7 +55,7 @@ std::string complaint(TetrahedralMesh mesh) {
 TEST(Mend, leavesASoundMeshAsItIs) {
   const TetrahedralMesh before = cubesOfTetrahedra(3, linear);
   TetrahedralMesh mesh = before;
-  mend(mesh, "mesh");
+  repair(mesh, "mesh");
   EXPECT_EQ(mesh.tetrahedra, before.tetrahedra);
   EXPECT_EQ(mesh.values, before.values);
   EXPECT_EQ(remarksOf(mesh), "");
@@ -69,10 +69,10 @@ TEST(Mend, countsWhatItLeavesOutAndTurns) {
   mesh.tetrahedra.push_back({0, 1, 2, 4});  // in one plane
   mesh.tetrahedra.push_back(mesh.tetrahedra[5]);
   std::swap(mesh.tetrahedra[7][0], mesh.tetrahedra[7][1]);
-  mend(mesh, "mesh");
+  repair(mesh, "mesh");
   EXPECT_EQ(remarksOf(mesh),
             "points of no tetrahedron, left out: 1\ntetrahedra without a volume, left out: 2\n"
-            "doubled tetrahedra, left out: 1\ninverted tetrahedra, turned: 1\n");
+            "doubled tetrahedra, left out: 1\ninverted tetrahedra, reoriented: 1\n");
   EXPECT_EQ(mesh.tetrahedra.size(), 48u);
   EXPECT_EQ(mesh.points.size(), 27u);
 }
@@ -88,7 +88,7 @@ TEST(Mend, joinsPointsOfOnePlaceAndValue) {
       apart.values.push_back(whole.values[point]);
     }
   }
-  mend(apart, "mesh");
+  repair(apart, "mesh");
   EXPECT_EQ(apart.points.size(), 27u);
   EXPECT_EQ(apart.tetrahedra.size(), 48u);
 }
@@ -194,7 +194,7 @@ TEST(Trimmed, endsAtTheDomainsBoundary) {
   Mesh wide;  // far beyond on all sides, at z = 1.5
   wide.positions = {-20, -20, 1.5, 20, -20, 1.5, 20, 20, 1.5, -20, 20, 1.5};
   wide.indices = {0, 1, 2, 0, 2, 3};
-  EXPECT_TRUE(trimmed(wide, field).indices.empty()) << "no vertex is inside";
+  EXPECT_TRUE(trimToDomain(wide, field).indices.empty()) << "no vertex is inside";
   Mesh grid;
   for (int j = 0; j < 17; ++j)
     for (int i = 0; i < 17; ++i)
@@ -202,7 +202,7 @@ TEST(Trimmed, endsAtTheDomainsBoundary) {
   for (uint32_t j = 0; j < 16; ++j)
     for (uint32_t i = 0; i < 16; ++i)
       for (uint32_t c : {0u, 1u, 18u, 0u, 18u, 17u}) grid.indices.push_back(j * 17 + i + c);
-  const Mesh kept = trimmed(grid, field);
+  const Mesh kept = trimToDomain(grid, field);
   float low = 9, high = -9;
   for (size_t v = 0; v < kept.positions.size(); v += 3) {
     low = std::min(low, kept.positions[v]);
@@ -237,10 +237,10 @@ TEST(Resample, gridsCoverTheMesh) {
   TetrahedralMesh mesh = cubesOfTetrahedra(8, ball);
   for (Vector3& point : mesh.points) point.y *= 0.3;
   const TetrahedralField field = fieldOf(mesh);
-  EXPECT_EQ(gridOver(field, 0, 33, "mesh").size, (std::array<int32_t, 3>{33, 11, 33}));
-  EXPECT_EQ(gridOver(field, 0, {}, "mesh").size[0], gridOver(field, 99, {}, "mesh").size[0])
+  EXPECT_EQ(chooseGrid(field, 0, 33, "mesh").size, (std::array<int32_t, 3>{33, 11, 33}));
+  EXPECT_EQ(chooseGrid(field, 0, {}, "mesh").size[0], chooseGrid(field, 99, {}, "mesh").size[0])
       << "without a surface the coarsest";
-  EXPECT_THROW((void)gridOver(field, 0, 2048, "mesh"), Failure);
+  EXPECT_THROW((void)chooseGrid(field, 0, 2048, "mesh"), Failure);
 }
 
 /// Two rooms of 4 × 4 × 4 with air of that thickness between them, linear across both.
@@ -257,7 +257,7 @@ TEST(FlatParts, areWallsAndHowMuchOfTheBoundaryTheyAre) {
   ASSERT_EQ(parts[0].size(), 4u);
   const std::array<double, 4> walls = {0, 4, 5, 9};
   for (size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(parts[0][i].place, walls[i], 1e-6);
+    EXPECT_NEAR(parts[0][i].coordinate, walls[i], 1e-6);
     EXPECT_NEAR(parts[0][i].share, 1.0 / 12, 1e-6);
   }
   ASSERT_EQ(parts[2].size(), 2u);
@@ -266,7 +266,7 @@ TEST(FlatParts, areWallsAndHowMuchOfTheBoundaryTheyAre) {
 
 TEST(GridOver, hasBoxAndWallsOnItsPlanes) {
   const TetrahedralField field = roomsApart(1);
-  const SampleGrid grid = gridOver(field, 4, {}, "mesh");
+  const SampleGrid grid = chooseGrid(field, 4, {}, "mesh");
   for (const double wall : {0.0, 4.0, 5.0, 9.0}) {
     const double plane = wall / grid.steps.x;
     EXPECT_NEAR(plane, std::round(plane), 1e-6) << wall;
@@ -279,14 +279,14 @@ TEST(GridOver, hasBoxAndWallsOnItsPlanes) {
 TEST(GridOver, stepsOfAThinMeshAreNotOfAnotherScale) {
   TetrahedralMesh mesh = cubesOfTetrahedra(8, ball);
   for (Vector3& point : mesh.points) point.z *= 1e-6;
-  const SampleGrid grid = gridOver(fieldOf(mesh), 0, 33, "mesh");
+  const SampleGrid grid = chooseGrid(fieldOf(mesh), 0, 33, "mesh");
   EXPECT_EQ(grid.size[2], 2);
   EXPECT_LE(grid.steps.x / grid.steps.z, 4.0001);
 }
 
 TEST(Resample, hasNoDomainWhereThatIsTheGrid) {
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(4, linear));
-  EXPECT_TRUE(resample(field, gridOver(field, 4, 17, "mesh"), [](double) {}).domain.empty());
+  EXPECT_TRUE(resample(field, chooseGrid(field, 4, 17, "mesh"), [](double) {}).domain.empty());
 }
 
 TEST(Resample, seesAirOneStepThick) {
@@ -307,7 +307,7 @@ TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
     return p.z - 4.2 - std::sin(0.7 * p.x) * std::cos(0.5 * p.y);
   };
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, wave));
-  const SampleGrid grid = gridOver(field, 0, 65, "mesh");
+  const SampleGrid grid = chooseGrid(field, 0, 65, "mesh");
   const ResampledField sampled = resample(field, grid, [](double) {});
   Volume volume{sampled.samples, grid.size, {}};
   volume.placement.spacing = {grid.steps.x, grid.steps.y, grid.steps.z};
@@ -318,21 +318,21 @@ TEST(Resample, theSurfaceReachesTheDomainsBoundaryAndIsNear) {
   EXPECT_LT(distance->symmetric().rms, 0.1 * grid.smallestStep());
 }
 
-TEST(RimmedSurface, goesOnInItsPlanes) {
+TEST(ExtendedSurface, goesOnInItsPlanes) {
   Mesh square;
   square.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   square.indices = {0, 1, 2, 0, 2, 3};
-  const RimmedSurface surface(square);
+  const ExtendedSurface surface(square);
   uint32_t near = 0;
   for (const Vector3& above : {Vector3{0.5, 0.25, 0.3}, {0.5, 0.5, -0.3}, {0.2, 0.7, 0.3}}) {
     const auto distance = surface.distance(above, near);
-    EXPECT_NEAR(distance.toItself, 0.3, 1e-6);
-    EXPECT_NEAR(distance.continued, 0.3, 1e-6);
+    EXPECT_NEAR(distance.toSurface, 0.3, 1e-6);
+    EXPECT_NEAR(distance.toExtension, 0.3, 1e-6);
   }
   for (const Vector3& beside : {Vector3{2, 0.5, 0.3}, {0.5, -1, 0.3}, {-1, 1, -0.3}}) {
     const auto distance = surface.distance(beside, near);
-    EXPECT_NEAR(distance.toItself, std::sqrt(1.09), 1e-6);
-    EXPECT_NEAR(distance.continued, 0.3, 1e-6);
+    EXPECT_NEAR(distance.toSurface, std::sqrt(1.09), 1e-6);
+    EXPECT_NEAR(distance.toExtension, 0.3, 1e-6);
   }
 }
 
@@ -341,7 +341,7 @@ TEST(BecomeDistances, keepsSignsAndBringsTheSurfaceNearer) {
   const TetrahedralField field = fieldOf(cubesOfTetrahedra(8, steep));
   for (const double isovalue : {900.0, 0.4}) {
     const Mesh isosurface = isosurfaceOf(field.mesh(), isovalue);
-    const SampleGrid grid = gridOver(field, isovalue, 20, "mesh");
+    const SampleGrid grid = chooseGrid(field, isovalue, 20, "mesh");
     const auto sampled = [&](Scalars scalars) {
       return volumeOf(field, isosurface, isovalue, scalars, grid, [](double) {});
     };

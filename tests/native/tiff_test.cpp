@@ -83,7 +83,7 @@ TEST_F(Tiff, readsOnePageAsAnImageFromZeroToOne) {
 
 TEST_F(Tiff, refusesColoursInAStackAndCutFiles) {
   EXPECT_NE(complaint(write("v.tif", tiff({{2, 1, "rgbrgb"}, {2, 1, "rgbrgb"}}, 3)))
-                .find("3 values a sample"),
+                .find("3 values per sample"),
             std::string::npos);
   const std::string whole = tiff({page(0), page(6)});
   for (size_t length = 0; length + 1 < whole.size(); ++length)

@@ -1,4 +1,4 @@
-#include "measure/topology.h"
+#include "measure/mesh_topology.h"
 
 #include <gtest/gtest.h>
 

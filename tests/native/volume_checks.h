@@ -6,7 +6,7 @@
 #include <string>
 
 #include "files/failure.h"
-#include "volume/read_volume.h"
+#include "volume/volume_reader.h"
 
 namespace isostar::native {
 

@@ -50,7 +50,7 @@ TEST_F(VtkImage, readsLegacyStructuredPoints) {
 }
 
 TEST_F(VtkImage, refusesVectorsEntitiesAndForeignFiles) {
-  EXPECT_NE(complaint(write("v.vti", vti("3"))).find("3 values a sample"), std::string::npos);
+  EXPECT_NE(complaint(write("v.vti", vti("3"))).find("3 values per sample"), std::string::npos);
   EXPECT_NE(complaint(write("v.vti", vti("1", "<!DOCTYPE a [<!ENTITY b \"c\">]>"))).find("DOCTYPE"),
             std::string::npos);
   EXPECT_NE(complaint(write("v.vti", "hello")), "");

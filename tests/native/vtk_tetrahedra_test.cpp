@@ -3,7 +3,7 @@
 
 #include "files/failure.h"
 #include "scratch_folder.h"
-#include "tetrahedra/formats.h"
+#include "tetrahedra/tetrahedra_reader.h"
 
 namespace isostar::native {
 namespace {
@@ -83,7 +83,7 @@ TEST_F(VtkTetrahedra, takesTheMarkedScalarElseTheFirst) {
 TEST_F(VtkTetrahedra, tellsWhichScalarsThereAre) {
   EXPECT_EQ(complaint("a.vtu", vtu(), "u"), ": has no scalar u at its points, but t");
   EXPECT_EQ(complaint("a.vtk", legacy(), "v"),
-            ": v has 3 values a point; one is needed, as in p, t");
+            ": v has 3 values per point; one is needed, as in p, t");
   Parts parts;
   parts.arrays =
       R"(<DataArray type="Float32" Name="v" NumberOfComponents="2" format="ascii">1 2 3 4 5 6 7 8 9 0</DataArray>)";
@@ -97,11 +97,11 @@ TEST_F(VtkTetrahedra, countsOtherCells) {
   parts.types = "10 5";
   parts.offsets = "4 7";
   EXPECT_EQ(readTetrahedra(write("a.vtu", vtu(parts)), {}).remarks,
-            (std::vector<std::string>{"cells that are no tetrahedra, left out: 1",
+            (std::vector<std::string>{"cells that are not tetrahedra, left out: 1",
                                       "points of no tetrahedron, left out: 1"}));
   parts.types = "5 5";
   parts.offsets = "3 6";
-  EXPECT_EQ(complaint("a.vtu", vtu(parts)), ": has no tetrahedra (cells of other kinds: 2)");
+  EXPECT_EQ(complaint("a.vtu", vtu(parts)), ": has no tetrahedra (cells of other types: 2)");
 }
 
 TEST_F(VtkTetrahedra, refusesNumbersThatAreNone) {
@@ -110,7 +110,7 @@ TEST_F(VtkTetrahedra, refusesNumbersThatAreNone) {
   EXPECT_EQ(complaint("a.vtu", vtu(parts)), ": not finite: 1 of 5 scalars, the first at point 1");
   std::string text = legacy();
   text.replace(text.find("1 2 3 4 5\n", text.find(" t float")), 1, "nan");
-  EXPECT_EQ(complaint("a.vtk", text), ": a number is not finite: nan");
+  EXPECT_EQ(complaint("a.vtk", text), ": has a number that is not finite: nan");
   parts = {};
   parts.cells = "0 1 2 3 1 2 3 40";
   EXPECT_EQ(complaint("a.vtu", vtu(parts)), ": cell 1 uses point 40 of 5");

@@ -10,24 +10,32 @@ import { all } from './streams.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 
-test('an elevation image: from a picture of under 30 bytes to a lossless one', (t) => {
+test('an elevation image: from a first contour of under 30 bytes to a lossless one', (t) => {
   const folder = mkdtempSync(join(tmpdir(), 'isostar-contours-'));
   t.after(() => rmSync(folder, { recursive: true, force: true }));
-  const printed = execFileSync(process.execPath, [join(root, 'scripts/contours.mjs'), folder], { encoding: 'utf8' });
-  const rows = [...printed.matchAll(/^\| (\d+) \| (\w+ \d+) \| (\S+) \|/gm)].map(([, bytes, , error]) => [Number(bytes), Number(error)]);
-  assert.ok(rows[0][0] < 30, `the first picture takes ${rows[0][0]} bytes`);
+  const printed = execFileSync(process.execPath, [join(root, 'scripts/contours.mjs'), folder], {
+    encoding: 'utf8',
+  });
+  const rows = [...printed.matchAll(/^\| (\d+) \| (\w+ \d+) \| (\S+) \|/gm)].map(
+    ([, bytes, , error]) => [Number(bytes), Number(error)],
+  );
+  assert.ok(rows[0][0] < 30, `the first contour takes ${rows[0][0]} bytes`);
   assert.equal(rows.at(-1)[1], 0);
   rows.forEach(([, error], i) => {
-    if (i > 0) assert.ok(error < rows[i - 1][1], 'each layer is nearer');
+    if (i > 0) assert.ok(error < rows[i - 1][1], 'the error falls with each layer');
     const svg = readFileSync(join(folder, `contour-${i}.svg`), 'utf8');
     assert.match(svg, /viewBox="0 0 256 192"/);
     assert.match(svg, /<path fill="none"[^>]* d="M[-\d. MLZe]+"\/>/);
   });
 });
 
-test('a page that is given contours says so', async (t) => {
+test('contours are refused with a message that names them', async (t) => {
   const stream = new Uint8Array(readFileSync(join(root, 'build/contours/terrain.isostar')));
   const decoder = await createDecoder();
   t.after(() => decoder.dispose());
-  await assert.rejects(all(decoder.decode(stream)), { name: 'IsostarError', code: 'UnsupportedVersion', message: /contours of an image/ });
+  await assert.rejects(all(decoder.decode(stream)), {
+    name: 'IsostarError',
+    code: 'UnsupportedVersion',
+    message: /contours of an image/,
+  });
 });

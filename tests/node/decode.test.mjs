@@ -2,7 +2,16 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 import { createDecoder } from 'isostar';
-import { all, ballStream, emptyStream, encodeField, gyroidStream, inPieces, isostar, read } from './streams.mjs';
+import {
+  all,
+  ballStream,
+  emptyStream,
+  encodeField,
+  gyroidStream,
+  inPieces,
+  isostar,
+  read,
+} from './streams.mjs';
 
 const gyroidPath = gyroidStream();
 const gyroid = read(gyroidPath);
@@ -10,14 +19,15 @@ const ball = read(ballStream());
 const decoder = await createDecoder();
 after(() => decoder.dispose());
 
-const whole = async (bytes, options) => (await all(decoder.decode(bytes, { refinements: 'last', ...options })))[0];
+const whole = async (bytes, options) =>
+  (await all(decoder.decode(bytes, { refinements: 'last', ...options })))[0];
 const isSound = ({ positions, normals, indices }) => {
   assert.equal(normals.length, positions.length);
   assert.ok(positions.every(Number.isFinite));
   assert.ok(indices.every((vertex) => vertex < positions.length / 3));
 };
 
-test('a whole stream: the surface that the command line decodes', async () => {
+test('a whole stream gives the surface that the command line decodes', async () => {
   const surface = await whole(gyroid);
   const info = JSON.parse(isostar('info', gyroidPath, '--json'));
   const mesh = `${gyroidPath}.ply`;
@@ -29,7 +39,10 @@ test('a whole stream: the surface that the command line decodes', async () => {
   assert.equal(surface.level, surface.levels - 1);
   assert.deepEqual(surface.info.size, [64, 60, 50]);
   assert.deepEqual(surface.info.spacing, [0.5, 1, 2]);
-  assert.deepEqual(surface.info.layers.map(({ kind, offset }) => [kind, offset]), info.layers.map(({ kind, offset }) => [kind, offset]));
+  assert.deepEqual(
+    surface.info.layers.map(({ kind, offset }) => [kind, offset]),
+    info.layers.map(({ kind, offset }) => [kind, offset]),
+  );
   assert.equal(surface.error, info.layers.at(-1).error);
   isSound(surface);
 });
@@ -43,22 +56,40 @@ test('WebAssembly and native code make the same vertices', async () => {
   const stride = 4 * (header.toString().match(/property float/g) ?? []).length;
   for (let vertex = 0; vertex < positions.length / 3; vertex++)
     for (let axis = 0; axis < 3; axis++)
-      assert.equal(file.readFloatLE(header.length + vertex * stride + 4 * axis), positions[3 * vertex + axis], `vertex ${vertex}`);
+      assert.equal(
+        file.readFloatLE(header.length + vertex * stride + 4 * axis),
+        positions[3 * vertex + axis],
+        `vertex ${vertex}`,
+      );
 });
 
 for (const length of [1, 7, 1000])
-  test(`pieces of ${length} bytes give every layer, and in the end the same surface`, async () => {
+  test(`pieces of ${length} bytes give every layer, and the same final surface`, async () => {
     const surfaces = await all(decoder.decode(inPieces(gyroid, length), { refinements: 'all' }));
-    assert.deepEqual(surfaces.map(({ bytes }) => bytes), surfaces.at(-1).info.layers.map(({ offset }) => offset));
-    assert.deepEqual(surfaces.map(({ final }) => final), surfaces.map((_, i) => i === surfaces.length - 1));
+    assert.deepEqual(
+      surfaces.map(({ bytes }) => bytes),
+      surfaces.at(-1).info.layers.map(({ offset }) => offset),
+    );
+    assert.deepEqual(
+      surfaces.map(({ final }) => final),
+      surfaces.map((_, i) => i === surfaces.length - 1),
+    );
     assert.deepEqual(surfaces.at(-1).positions, (await whole(gyroid)).positions);
     surfaces.forEach(isSound);
   });
 
-test('all kinds of source', async () => {
+test('every kind of source', async () => {
   const { positions } = await whole(ball);
-  const sources = [ball, Buffer.from(ball), inPieces(ball, 50), new Response(ball), new Response(ball).body, new Blob([ball]).stream()];
-  for (const source of sources) assert.deepEqual((await all(decoder.decode(source))).at(-1).positions, positions);
+  const sources = [
+    ball,
+    Buffer.from(ball),
+    inPieces(ball, 50),
+    new Response(ball),
+    new Response(ball).body,
+    new Blob([ball]).stream(),
+  ];
+  for (const source of sources)
+    assert.deepEqual((await all(decoder.decode(source))).at(-1).positions, positions);
 });
 
 test('a slow consumer gets the first surface and then only the newest', async () => {
@@ -73,10 +104,16 @@ test('every prefix of a stream decodes', async () => {
   for (let length = 0; length <= ball.length; length++) {
     const surfaces = [];
     const decoding = (async () => {
-      for await (const surface of decoder.decode(ball.subarray(0, length), { refinements: 'last' })) surfaces.push(surface);
+      for await (const surface of decoder.decode(ball.subarray(0, length), { refinements: 'last' }))
+        surfaces.push(surface);
     })();
     if (length === ball.length) await decoding;
-    else await assert.rejects(decoding, { name: 'IsostarError', code: 'Truncated' }, `${length} bytes`);
+    else
+      await assert.rejects(
+        decoding,
+        { name: 'IsostarError', code: 'Truncated' },
+        `${length} bytes`,
+      );
     const shown = surfaces.at(-1)?.bytes ?? 0;
     assert.ok(shown >= before && shown <= length, `${length} bytes show ${shown}`);
     before = shown;
@@ -93,12 +130,24 @@ test('options', async () => {
   assert.deepEqual((await whole(ball, { isovalue: 0 })).positions, cubes.positions);
   const world = await whole(gyroid);
   const grid = await whole(gyroid, { frame: 'grid' });
-  for (const vertex of [0, 1000]) assert.ok(Math.abs(world.positions[3 * vertex + 2] - 2 * grid.positions[3 * vertex + 2]) < 1e-4);
+  for (const vertex of [0, 1000])
+    assert.ok(
+      Math.abs(world.positions[3 * vertex + 2] - 2 * grid.positions[3 * vertex + 2]) < 1e-4,
+    );
 });
 
-test('several isovalues in a stream, and what lies between', async () => {
-  const several = read(encodeField('several', [30, 30, 30], (i, j, k) => 10 - Math.hypot(i - 15, j - 15, k - 15), '--near', '1,2'));
-  const radius = ({ positions }) => Math.hypot(positions[0] - 15, positions[1] - 15, positions[2] - 15);
+test('several isovalues in a stream, and values between them', async () => {
+  const several = read(
+    encodeField(
+      'several',
+      [30, 30, 30],
+      (i, j, k) => 10 - Math.hypot(i - 15, j - 15, k - 15),
+      '--near',
+      '1,2',
+    ),
+  );
+  const radius = ({ positions }) =>
+    Math.hypot(positions[0] - 15, positions[1] - 15, positions[2] - 15);
   for (const isovalue of [0, 0.3, 1, 1.5, 2]) {
     const surface = await whole(several, { isovalue });
     isSound(surface);
@@ -110,11 +159,22 @@ test('several isovalues in a stream, and what lies between', async () => {
   assert.ok((await whole(several)).info.layers.some(({ isovalue }) => isovalue === 2));
 });
 
-test('a source of isovalues turns the surface after the last byte', async () => {
-  const several = read(encodeField('turned', [30, 30, 30], (i, j, k) => 10 - Math.hypot(i - 15, j - 15, k - 15), '--near', '2'));
+test('an iterable of isovalues changes the surface after the last byte', async () => {
+  const several = read(
+    encodeField(
+      'several-by-iterable',
+      [30, 30, 30],
+      (i, j, k) => 10 - Math.hypot(i - 15, j - 15, k - 15),
+      '--near',
+      '2',
+    ),
+  );
   const seen = [];
   let next;
-  const isovalue = (async function* () { for (let value; (value = await new Promise((resolve) => (next = resolve))) !== undefined; ) yield value; })();
+  const isovalue = (async function* () {
+    for (let value; (value = await new Promise((resolve) => (next = resolve))) !== undefined;)
+      yield value;
+  })();
   const wanted = [0.5, 2, 1, undefined];
   for await (const surface of decoder.decode(several, { isovalue, refinements: 'last' })) {
     seen.push(surface.isovalue);
@@ -124,19 +184,31 @@ test('a source of isovalues turns the surface after the last byte', async () => 
   assert.deepEqual(seen, [0, 0.5, 2, 1]);
 });
 
-test('triangles are counter-clockwise seen from where values are smaller, and normals point there', async () => {
+test('triangles are counter-clockwise from the smaller values; normals point to them', async () => {
   for (const polygonizer of ['cubes', 'tetrahedra']) {
     const { positions, normals, indices } = await whole(ball, { polygonizer });
     const point = (list, vertex) => list.subarray(3 * vertex, 3 * vertex + 3);
     let volume = 0;
     for (let i = 0; i < indices.length; i += 3) {
       const [a, b, c] = [0, 1, 2].map((corner) => point(positions, indices[i + corner]));
-      volume += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      volume +=
+        a[0] * (b[1] * c[2] - b[2] * c[1]) +
+        a[1] * (b[2] * c[0] - b[0] * c[2]) +
+        a[2] * (b[0] * c[1] - b[1] * c[0]);
     }
-    assert.ok(Math.abs(volume / 6 / ((4 / 3) * Math.PI * 6 ** 3) - 1) < 0.1, `${polygonizer}: ${volume / 6}`);
+    assert.ok(
+      Math.abs(volume / 6 / ((4 / 3) * Math.PI * 6 ** 3) - 1) < 0.1,
+      `${polygonizer}: ${volume / 6}`,
+    );
     for (let vertex = 0; vertex < positions.length / 3; vertex++) {
-      const [normal, place] = [point(normals, vertex), point(positions, vertex)];
-      assert.ok(normal[0] * (place[0] - 7.5) + normal[1] * (place[1] - 7.5) + normal[2] * (place[2] - 7.5) > 0, `${polygonizer}: vertex ${vertex}`);
+      const [normal, position] = [point(normals, vertex), point(positions, vertex)];
+      assert.ok(
+        normal[0] * (position[0] - 7.5) +
+          normal[1] * (position[1] - 7.5) +
+          normal[2] * (position[2] - 7.5) >
+          0,
+        `${polygonizer}: vertex ${vertex}`,
+      );
     }
   }
 });
@@ -147,8 +219,10 @@ test('an empty surface is a surface', async () => {
   assert.equal(surface.final, true);
 });
 
-test('several decodings at once do not disturb one another', async () => {
+test('several streams decode at the same time', async () => {
   const expected = [await whole(ball), await whole(gyroid)];
-  const surfaces = await Promise.all([ball, gyroid].map(async (bytes) => (await all(decoder.decode(inPieces(bytes, 20)))).at(-1)));
+  const surfaces = await Promise.all(
+    [ball, gyroid].map(async (bytes) => (await all(decoder.decode(inPieces(bytes, 20)))).at(-1)),
+  );
   surfaces.forEach(({ positions }, i) => assert.deepEqual(positions, expected[i].positions));
 });

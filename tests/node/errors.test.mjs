@@ -16,30 +16,44 @@ const failsWith = (code, source, options) =>
     return true;
   });
 
-/** Bytes until the test says otherwise, as a link that has come to a halt. */
+/** A source that gives some bytes and then stalls. */
 function stalled(bytes) {
   const state = { isCancelled: false };
-  const stream = new ReadableStream({ start: (controller) => controller.enqueue(bytes), cancel: () => void (state.isCancelled = true) });
+  const stream = new ReadableStream({
+    start: (controller) => controller.enqueue(bytes),
+    cancel: () => void (state.isCancelled = true),
+  });
   return { stream, state };
 }
 
-test('foreign bytes', () => failsWith('NotIsostar', new TextEncoder().encode('<!doctype html><p>no such page</p>'.repeat(9))));
+test('a file that is no stream', () =>
+  failsWith(
+    'NotIsostar',
+    new TextEncoder().encode('<!doctype html><p>no such page</p>'.repeat(9)),
+  ));
 test('no bytes', () => failsWith('Truncated', new Uint8Array()));
-test('a broken-off stream gives what is sound, then the error', async () => {
+test('an incomplete stream gives sound surfaces, then the error', async () => {
   const surfaces = [];
-  await assert.rejects(async () => {
-    for await (const surface of decoder.decode(gyroid.subarray(0, gyroid.length - 9))) surfaces.push(surface);
-  }, { code: 'Truncated' });
+  await assert.rejects(
+    async () => {
+      for await (const surface of decoder.decode(gyroid.subarray(0, gyroid.length - 9)))
+        surfaces.push(surface);
+    },
+    { code: 'Truncated' },
+  );
   assert.ok(surfaces.length > 0);
   assert.ok(surfaces.every(({ final }) => !final));
 });
-test('a damaged stream gives what is sound, then the error', async () => {
+test('a damaged stream gives sound surfaces, then the error', async () => {
   const damaged = gyroid.slice();
   damaged[damaged.length - 20] ^= 4;
   const surfaces = [];
-  await assert.rejects(async () => {
-    for await (const surface of decoder.decode(damaged)) surfaces.push(surface);
-  }, { code: 'Corrupt' });
+  await assert.rejects(
+    async () => {
+      for await (const surface of decoder.decode(damaged)) surfaces.push(surface);
+    },
+    { code: 'Corrupt' },
+  );
   assert.ok(surfaces.length > 0);
 });
 
@@ -49,24 +63,45 @@ test('wrong arguments', async () => {
   await failsWith('BadArgument', ball, { isovalue: 7 });
   await failsWith('BadArgument', 'skull.isostar');
   await failsWith('BadArgument', undefined);
-  await failsWith('BadArgument', (async function* () { yield 'text'; })());
+  await failsWith(
+    'BadArgument',
+    (async function* () {
+      yield 'text';
+    })(),
+  );
   await failsWith('BadArgument', new Response('gone', { status: 404 }));
   await assert.rejects(createDecoder({ worker: true }), { code: 'BadArgument' });
-  await assert.rejects(createDecoder({ wasm: new TextEncoder().encode('<!doctype html>') }), { code: 'BadArgument' });
+  await assert.rejects(createDecoder({ wasm: new TextEncoder().encode('<!doctype html>') }), {
+    code: 'BadArgument',
+  });
 });
 
-test('the error of a source is thrown as it is', async () => {
+test('the error of a source is passed on unchanged', async () => {
   const reason = new Error('the cable is cut');
-  await assert.rejects(all(decoder.decode((async function* () { yield ball.subarray(0, 9); throw reason; })())), (thrown) => thrown === reason);
+  await assert.rejects(
+    all(
+      decoder.decode(
+        (async function* () {
+          yield ball.subarray(0, 9);
+          throw reason;
+        })(),
+      ),
+    ),
+    (thrown) => thrown === reason,
+  );
 });
 
-test('abort: before, while bytes are awaited, while layers are decoded', async () => {
-  await assert.rejects(all(decoder.decode(ball, { signal: AbortSignal.abort() })), { name: 'AbortError' });
+test('abort: before decode(), while waiting for bytes, between two layers', async () => {
+  await assert.rejects(all(decoder.decode(ball, { signal: AbortSignal.abort() })), {
+    name: 'AbortError',
+  });
 
   const { stream, state } = stalled(ball.subarray(0, 20));
   const waiting = new AbortController();
   setTimeout(() => waiting.abort(new Error('enough')), 20);
-  await assert.rejects(all(decoder.decode(stream, { signal: waiting.signal })), { message: 'enough' });
+  await assert.rejects(all(decoder.decode(stream, { signal: waiting.signal })), {
+    message: 'enough',
+  });
   assert.ok(state.isCancelled);
 
   const busy = new AbortController();
@@ -76,13 +111,13 @@ test('abort: before, while bytes are awaited, while layers are decoded', async (
   await assert.rejects(surfaces.next(), { name: 'AbortError' });
 });
 
-test('leaving the loop gives the source up', async () => {
+test('leaving the loop cancels the source', async () => {
   const { stream, state } = stalled(gyroid.subarray(0, gyroid.length - 1));
   for await (const _ of decoder.decode(stream)) break;
   assert.ok(state.isCancelled);
 });
 
-test('dispose settles what is under way and refuses what comes', async () => {
+test('dispose rejects pending and later iterations', async () => {
   const doomed = await createDecoder();
   const decoding = all(doomed.decode(stalled(ball.subarray(0, 20)).stream));
   setTimeout(() => doomed.dispose(), 10);
@@ -94,7 +129,7 @@ test('dispose settles what is under way and refuses what comes', async () => {
 test('any single damaged byte ends in an error or in a sound surface', async () => {
   for (let at = 0; at < ball.length; at++) {
     const damaged = ball.slice();
-    damaged[at] ^= 1 << at % 8;
+    damaged[at] ^= 1 << (at % 8);
     try {
       for await (const { positions, indices } of decoder.decode(inPieces(damaged, 100))) {
         assert.ok(positions.every(Number.isFinite));

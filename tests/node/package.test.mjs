@@ -7,45 +7,68 @@ import { gzipSync } from 'node:zlib';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const manifest = JSON.parse(readFileSync(here('../../web/package.json'), 'utf8'));
-const node = (...options) => execFileSync(process.execPath, options, { cwd: here('.'), encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const node = (...options) =>
+  execFileSync(process.execPath, options, {
+    cwd: here('.'),
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'pipe'],
+  });
 
-test('each entry can be imported where there is no DOM', () => {
+test('each entry can be imported without a DOM', () => {
   for (const entry of ['isostar', 'isostar/three', 'isostar/element', 'isostar/worker'])
-    node('--input-type=module', '-e', `await import('${entry}'); if (globalThis.document) throw 'a DOM'`);
+    node(
+      '--input-type=module',
+      '-e',
+      `await import('${entry}'); if (globalThis.document) throw 'a DOM'`,
+    );
 });
 
 test('each entry names files that exist, types first', () => {
   for (const target of Object.values(manifest.exports)) {
     if (typeof target === 'object') assert.equal(Object.keys(target)[0], 'types');
-    for (const file of typeof target === 'object' ? Object.values(target) : [target]) assert.ok(existsSync(here(`../../web/${file}`)), file);
+    for (const file of typeof target === 'object' ? Object.values(target) : [target])
+      assert.ok(existsSync(here(`../../web/${file}`)), file);
   }
 });
 
-test('decodes where code must not be made from strings', () => {
+test('decodes under a policy without code from strings', () => {
   const program = `
     import { createDecoder } from 'isostar';
     import { ballStream, read } from './streams.mjs';
     const decoder = await createDecoder();
-    for await (const { indices } of decoder.decode(read(ballStream()))) if (indices.length === 0) throw 'nothing';`;
+    for await (const { indices } of decoder.decode(read(ballStream())))
+      if (indices.length === 0) throw 'no triangles';`;
   node('--disallow-code-generation-from-strings', '--input-type=module', '-e', program);
 });
 
-test('the raw module has what src/raw.ts declares, and no more', async () => {
+test('the raw module exports exactly what src/codec/raw.ts declares', async () => {
   const { default: createModule } = await import('../../build/wasm/decoder.js');
   const raw = await createModule({ wasmBinary: readFileSync(here('../../web/dist/decoder.wasm')) });
-  const declared = readFileSync(here('../../web/src/raw.ts'), 'utf8').split('export interface RawModule')[0];
+  const declared = readFileSync(here('../../web/src/codec/raw.ts'), 'utf8').split(
+    'export interface RawDecoder',
+  )[1];
   const names = [...declared.matchAll(/^ {2}(\w+)\(/gm)].map(([, name]) => name);
   const ofEmbind = ['isAliasOf', 'clone', 'delete', 'isDeleted', 'deleteLater', 'constructor'];
-  const actual = Object.getOwnPropertyNames(raw.Decoder.prototype).filter((name) => !ofEmbind.includes(name));
+  const actual = Object.getOwnPropertyNames(raw.Decoder.prototype).filter(
+    (name) => !ofEmbind.includes(name),
+  );
   assert.deepEqual(actual.sort(), names.filter((name) => name !== 'delete').sort());
 });
 
-test('the version is the one that CMake builds', () => {
-  assert.equal(readFileSync(here('../../CMakeLists.txt'), 'utf8').match(/project\(isostar VERSION ([\d.]+)/)[1], manifest.version);
+test('the version is the same as in CMakeLists.txt', () => {
+  assert.equal(
+    readFileSync(here('../../CMakeLists.txt'), 'utf8').match(
+      /project\(isostar VERSION ([\d.]+)/,
+    )[1],
+    manifest.version,
+  );
 });
 
 test('the WebAssembly stays smaller than Draco’s', () => {
   const gzipped = (file) => gzipSync(readFileSync(here(file)), { level: 9 }).length;
-  const [ours, dracos] = ['../../web/dist/decoder.wasm', '../../node_modules/draco3d/draco_decoder.wasm'].map(gzipped);
+  const [ours, dracos] = [
+    '../../web/dist/decoder.wasm',
+    '../../node_modules/draco3d/draco_decoder.wasm',
+  ].map(gzipped);
   assert.ok(ours < dracos, `${ours} of ${dracos} bytes`);
 });

@@ -1,4 +1,4 @@
-// Streams for tests: small synthetic volumes, encoded by the freshly built command line.
+// Streams for tests: small synthetic volumes, encoded by the command line in build/.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -10,23 +10,43 @@ const folder = mkdtempSync(join(tmpdir(), 'isostar-test-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
 
 /** Runs the command line and returns what it prints. */
-export const isostar = (...options) => execFileSync(CLI, options, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+export const isostar = (...options) =>
+  execFileSync(CLI, options, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
 
-/** A field sampled at (i,j,k), x fastest, encoded at isovalue 0; the result is the stream's path. */
+/**
+ * A field sampled at (i,j,k), x fastest, encoded at isovalue 0; the result is the stream's path.
+ */
 export function encodeField(name, [nx, ny, nz], field, ...options) {
   const samples = new Float32Array(nx * ny * nz);
   let n = 0;
-  for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) samples[n++] = field(i, j, k);
+  for (let k = 0; k < nz; k++)
+    for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) samples[n++] = field(i, j, k);
   const volume = join(folder, `${name}.raw`);
   const stream = join(folder, `${name}.isostar`);
   writeFileSync(volume, samples);
-  isostar('encode', volume, stream, '--iso', '0', '--size', `${nx},${ny},${nz}`, '--type', 'f32', ...options);
+  isostar(
+    'encode',
+    volume,
+    stream,
+    '--iso',
+    '0',
+    '--size',
+    `${nx},${ny},${nz}`,
+    '--type',
+    'f32',
+    ...options,
+  );
   return stream;
 }
 
-/** Six tetrahedra in each of n³ unit cubes that stand aslant in the world, with a field's values at their corners, encoded at isovalue 0. */
+/**
+ * Six tetrahedra in each of n³ unit cubes, rotated and sheared, with a field's values at
+ * their corners, encoded at isovalue 0.
+ */
 export function encodeTetrahedra(name, n, field, ...options) {
-  const points = [], values = [], cells = [];
+  const points = [],
+    values = [],
+    cells = [];
   for (let k = 0; k <= n; k++)
     for (let j = 0; j <= n; j++)
       for (let i = 0; i <= n; i++) {
@@ -37,13 +57,30 @@ export function encodeTetrahedra(name, n, field, ...options) {
   for (let k = 0; k < n; k++)
     for (let j = 0; j < n; j++)
       for (let i = 0; i < n; i++)
-        for (const [a, b, c] of [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]]) {
+        for (const [a, b, c] of [
+          [0, 1, 2],
+          [0, 2, 1],
+          [1, 0, 2],
+          [1, 2, 0],
+          [2, 0, 1],
+          [2, 1, 0],
+        ]) {
           const first = i + steps[1] * j + steps[2] * k;
-          cells.push([4, first, first + steps[a], first + steps[a] + steps[b], first + steps[a] + steps[b] + steps[c]].join(' '));
+          cells.push(
+            [
+              4,
+              first,
+              first + steps[a],
+              first + steps[a] + steps[b],
+              first + steps[a] + steps[b] + steps[c],
+            ].join(' '),
+          );
         }
   const mesh = join(folder, `${name}.vtk`);
   const stream = join(folder, `${name}.isostar`);
-  writeFileSync(mesh, `# vtk DataFile Version 3.0
+  writeFileSync(
+    mesh,
+    `# vtk DataFile Version 3.0
 ${name}
 ASCII
 DATASET UNSTRUCTURED_GRID
@@ -57,28 +94,32 @@ POINT_DATA ${values.length}
 SCALARS f float 1
 LOOKUP_TABLE default
 ${values.join('\n')}
-`);
+`,
+  );
   isostar('encode', mesh, stream, '--iso', '0', ...options);
   return stream;
 }
 
-const ball = (size) => (i, j, k) => 0.4 * size - Math.hypot(i - size / 2, j - size / 2, k - size / 2) + 0.01;
+const ball = (size) => (i, j, k) =>
+  0.4 * size - Math.hypot(i - size / 2, j - size / 2, k - size / 2) + 0.01;
 const gyroid = (period) => (i, j, k) => {
   const [x, y, z] = [i, j, k].map((c) => (2 * Math.PI * c) / period);
   return Math.sin(x) * Math.cos(y) + Math.sin(y) * Math.cos(z) + Math.sin(z) * Math.cos(x) + 0.123;
 };
 
-/** Some hundred bytes: every prefix of it can be tried. */
+/** A few hundred bytes, so that a test can decode every prefix. */
 export const ballStream = () => encodeField('ball', [17, 15, 16], ball(15));
 /** Many levels and some ten kilobytes. */
-export const gyroidStream = () => encodeField('gyroid', [64, 60, 50], gyroid(25), '--spacing', '0.5,1,2');
+export const gyroidStream = () =>
+  encodeField('gyroid', [64, 60, 50], gyroid(25), '--spacing', '0.5,1,2');
 /** Three isovalues: 0, 0.25 and 0.5. */
-export const severalStream = () => encodeField('gyroids', [64, 60, 50], gyroid(25), '--near', '0.25,0.5');
+export const severalStream = () =>
+  encodeField('gyroids', [64, 60, 50], gyroid(25), '--near', '0.25,0.5');
 export const emptyStream = () => encodeField('empty', [9, 9, 9], () => -1);
 
 export const read = (stream) => new Uint8Array(readFileSync(stream));
 
-/** The same bytes in pieces of so many. */
+/** The bytes in pieces of a length. */
 export async function* inPieces(bytes, length) {
   for (let at = 0; at < bytes.length; at += length) yield bytes.subarray(at, at + length);
 }

@@ -96,7 +96,7 @@ TEST(FormatDocument, itsPassesAreAsItSays) {
   ASSERT_TRUE(pass.read(exponents));
   EXPECT_EQ(exponents.position(), 1u);
   EXPECT_EQ(pass.members, Members::AxisEnds);
-  EXPECT_EQ(pass.depth, 3);
+  EXPECT_EQ(pass.exponentRange, 3);
   pass.kind = LayerKind::Magnitudes;
   ByteReader magnitudePass(stream.subspan(63));
   ASSERT_TRUE(pass.read(magnitudePass));

@@ -72,8 +72,8 @@ void expectLinearFieldsFound() {
     };
     const auto fit = fitAtMiddle<D>(sampledWindow<D>(linear, 2), true);
     EXPECT_EQ(fit.known, 2 * D * D);
-    EXPECT_NEAR(steps(fit.level), here / 4096, 0.01);
-    EXPECT_NEAR(steps(fit.bent), here / 4096, 0.01);
+    EXPECT_NEAR(steps(fit.linear), here / 4096, 0.01);
+    EXPECT_NEAR(steps(fit.curved), here / 4096, 0.01);
   }
 }
 
@@ -93,7 +93,7 @@ TEST(LocalFit, seesWhatIsMissingOnOneSide) {
   });
   const auto fit = fitAtMiddle<3>(scalars, true);
   EXPECT_LT(fit.known, 18);
-  EXPECT_NEAR(steps(fit.level), 1500.0 / 4096, 0.01);
+  EXPECT_NEAR(steps(fit.linear), 1500.0 / 4096, 0.01);
 }
 
 TEST(LocalFit, followsWhatIsBent) {
@@ -102,8 +102,8 @@ TEST(LocalFit, followsWhatIsBent) {
   };
   const double here = 12.3 - std::hypot(7, 5, 8.5);
   const auto fit = fitAtMiddle<3>(sampledWindow<3>(ball, 4), here > 0);
-  EXPECT_GT(std::abs(steps(fit.level) - std::abs(here)), 0.02);
-  EXPECT_NEAR(steps(fit.bent), std::abs(here), 0.01);
+  EXPECT_GT(std::abs(steps(fit.linear) - std::abs(here)), 0.02);
+  EXPECT_NEAR(steps(fit.curved), std::abs(here), 0.01);
 }
 
 TEST(LocalFit, needsEnoughNeighbours) {
@@ -151,8 +151,8 @@ void expectWithinNumbers(int rounds) {
         for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
           for (int x = 0; x < kBrickSide; ++x) {
             const auto fit = LocalFit<D>::of(window, r, x, n % 3 == 0);
-            ASSERT_TRUE(fit.level >= 0 && fit.level <= 2 * FitWindow<D>::kMost && fit.bent >= 0 &&
-                        fit.bent <= 2 * FitWindow<D>::kMost);
+            ASSERT_TRUE(fit.linear >= 0 && fit.linear <= 2 * FitWindow<D>::kMost && fit.curved >= 0 &&
+                        fit.curved <= 2 * FitWindow<D>::kMost);
           }
         }
       }

@@ -18,7 +18,7 @@ TYPED_TEST_SUITE(NeighbourhoodTest, Dimensions);
 
 /// The offset of a vertex that a step stands for; it is unique within two planes.
 template <int D>
-Coordinates<D> offset(const Step& step) {
+Coordinates<D> offset(const NeighbourOffset& step) {
   Coordinates<D> d{};
   d[0] = step.bits;
   int rows = step.rows;
@@ -32,7 +32,7 @@ Coordinates<D> offset(const Step& step) {
 }
 
 template <int D>
-std::set<Coordinates<D>> offsets(const std::array<Step, Neighbourhood<D>::kMost>& steps, int from,
+std::set<Coordinates<D>> offsets(const std::array<NeighbourOffset, Neighbourhood<D>::kMost>& steps, int from,
                                  int count) {
   std::set<Coordinates<D>> all;
   for (int i = from; i < from + count; ++i)

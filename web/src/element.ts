@@ -1,41 +1,50 @@
 import type { Decoder, Polygonizer, Surface } from './index.js';
 import { createDecoder } from './index.js';
-import { SurfaceView } from './surface-view.js';
+import { SurfaceView } from './display/surface-view.js';
 
 const STYLE = `
   :host { display: block; position: relative; width: 300px; height: 300px; contain: content; }
   :host([hidden]) { display: none; }
   canvas { display: block; width: 100%; height: 100%; }
   canvas:focus-visible { outline: 2px solid Highlight; outline-offset: -2px; }
-  progress { position: absolute; inset: 0 0 auto; width: 100%; height: 3px; border: 0; appearance: none; background: transparent; }
+  progress { position: absolute; inset: 0 0 auto; width: 100%; height: 3px; border: 0; }
+  progress { appearance: none; background: transparent; }
   progress::-webkit-progress-bar { background: transparent; }
   progress[hidden] { display: none; }
 `;
 
-// One worker serves all elements of a page.
+// All elements of a page share one worker.
 let sharedDecoder: Promise<Decoder> | undefined;
 
-// On a server there are no elements, and an import must not fail there.
+// On a server there is no HTMLElement, and an import must not fail there.
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 /**
  * `<isostar-surface src="skull.isostar" alt="A skull" camera-controls></isostar-surface>`
  *
- * Attributes: `src`, `alt`, `polygonizer`, `camera-controls`, `camera-orbit="30deg 80deg 100%"`, `auto-rotate`, `loading="lazy"`.
- * Events: `progress` (detail.totalProgress 0 … 1), `level` (detail: the surface), `load`, `error` (detail.type, detail.sourceError),
- * `camera-change`. Parts: `canvas`, `progress-bar`. `--surface-color` paints the surface.
+ * Attributes: `src`, `alt`, `polygonizer`, `camera-controls`, `camera-orbit="30deg 80deg 100%"`,
+ * `auto-rotate`, `loading="lazy"`. Events: `progress` (detail.totalProgress 0 … 1), `level`
+ * (detail: the surface), `load`, `error` (detail.type, detail.sourceError), `camera-change`. Parts:
+ * `canvas`, `progress-bar`. The CSS property `--surface-color` sets the surface's colour.
  */
 export class IsostarSurfaceElement extends Base {
-  static readonly observedAttributes = ['src', 'alt', 'polygonizer', 'camera-controls', 'camera-orbit', 'auto-rotate'];
+  static readonly observedAttributes = [
+    'src',
+    'alt',
+    'polygonizer',
+    'camera-controls',
+    'camera-orbit',
+    'auto-rotate',
+  ];
 
   #canvas: HTMLCanvasElement | undefined;
   #progress: HTMLProgressElement | undefined;
   #view: SurfaceView | undefined;
   #run = new AbortController();
-  #seen: IntersectionObserver | undefined;
+  #visibility: IntersectionObserver | undefined;
   #surface: Surface | undefined;
 
-  /** What is shown. */
+  /** The surface on display. */
   get surface(): Surface | undefined {
     return this.#surface;
   }
@@ -56,35 +65,38 @@ export class IsostarSurfaceElement extends Base {
 
   connectedCallback(): void {
     this.#build();
-    this.#view = new SurfaceView(this.#canvas!, () => this.dispatchEvent(new CustomEvent('camera-change')));
+    this.#view = new SurfaceView(this.#canvas!, () =>
+      this.dispatchEvent(new CustomEvent('camera-change')),
+    );
     this.#configure();
     if (this.getAttribute('loading') !== 'lazy') return void this.#load();
-    this.#seen = new IntersectionObserver((entries) => {
+    this.#visibility = new IntersectionObserver((entries) => {
       if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-      this.#seen?.disconnect();
+      this.#visibility?.disconnect();
       void this.#load();
     });
-    this.#seen.observe(this);
+    this.#visibility.observe(this);
   }
 
   disconnectedCallback(): void {
     this.#run.abort();
-    this.#seen?.disconnect();
+    this.#visibility?.disconnect();
     this.#view?.dispose();
     this.#view = undefined;
   }
 
   attributeChangedCallback(name: string): void {
     if (!this.#view) return;
-    if (name === 'src') this.#view.expectAnother();
+    if (name === 'src') this.#view.expectNewSubject();
     if (name === 'src' || name === 'polygonizer') void this.#load();
     else this.#configure();
   }
 
-  // Anew each time: a canvas whose context was given back cannot have another.
+  // A new canvas each time: one whose context was released cannot have another.
   #build(): void {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-    const sheet = new CSSStyleSheet();  // a <style> would fail under a strict content security policy
+    // A <style> element would fail under a strict content security policy.
+    const sheet = new CSSStyleSheet();
     sheet.replaceSync(STYLE);
     root.adoptedStyleSheets = [sheet];
     this.#canvas = document.createElement('canvas');
@@ -105,7 +117,7 @@ export class IsostarSurfaceElement extends Base {
     canvas.tabIndex = isInteractive ? 0 : -1;
     this.#view!.configure({
       isInteractive,
-      isTurning: this.hasAttribute('auto-rotate'),
+      isRotating: this.hasAttribute('auto-rotate'),
       orbit: this.getAttribute('camera-orbit') ?? undefined,
       color: getComputedStyle(this).getPropertyValue('--surface-color').trim() || '#e9dcc3',
     });
@@ -123,10 +135,14 @@ export class IsostarSurfaceElement extends Base {
       const decoder = await (sharedDecoder ??= createDecoder());
       const response = await fetch(new URL(src, document.baseURI), { signal });
       const polygonizer = (this.getAttribute('polygonizer') ?? 'cubes') as Polygonizer;
-      for await (const surface of decoder.decode(response, { signal, polygonizer })) this.#show(surface);
+      for await (const surface of decoder.decode(response, { signal, polygonizer }))
+        this.#show(surface);
       this.dispatchEvent(new CustomEvent('load', { detail: { url: src } }));
     } catch (sourceError) {
-      if (!signal.aborted) this.dispatchEvent(new CustomEvent('error', { detail: { type: 'loadfailure', sourceError } }));
+      if (!signal.aborted)
+        this.dispatchEvent(
+          new CustomEvent('error', { detail: { type: 'loadfailure', sourceError } }),
+        );
     } finally {
       if (!signal.aborted) this.#progress!.hidden = true;
     }
@@ -137,7 +153,11 @@ export class IsostarSurfaceElement extends Base {
     this.#view?.show(surface);
     const totalProgress = surface.bytes / surface.info.bytes;
     this.#progress!.value = totalProgress;
-    this.dispatchEvent(new CustomEvent('progress', { detail: { totalProgress, level: surface.level, levels: surface.levels } }));
+    this.dispatchEvent(
+      new CustomEvent('progress', {
+        detail: { totalProgress, level: surface.level, levels: surface.levels },
+      }),
+    );
     this.dispatchEvent(new CustomEvent('level', { detail: surface }));
   }
 

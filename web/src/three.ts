@@ -1,11 +1,29 @@
-import { Box3, BufferAttribute, BufferGeometry, Loader, type LoadingManager, Sphere, Vector3 } from 'three';
-import { boundsOf } from './bounds.js';
-import { createDecoder, type Decoder, type DecoderOptions, type Source, type Surface, type SurfaceOptions } from './index.js';
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Loader,
+  type LoadingManager,
+  Sphere,
+  Vector3,
+} from 'three';
+import { boundsOf } from './display/bounds.js';
+import {
+  createDecoder,
+  type Decoder,
+  type DecoderOptions,
+  type Source,
+  type Surface,
+  type SurfaceOptions,
+} from './index.js';
 
-/** What `onProgress` gets, once a refinement. `geometry` is the same object each time. */
-export type IsostarProgress = ProgressEvent & { readonly geometry: BufferGeometry; readonly surface: Surface };
+/** Passed to `onProgress` at each refinement. `geometry` is the same object each time. */
+export type IsostarProgress = ProgressEvent & {
+  readonly geometry: BufferGeometry;
+  readonly surface: Surface;
+};
 
-/** Loads `.isostar` streams into a BufferGeometry that gets better while bytes arrive. */
+/** Loads `.isostar` streams into a BufferGeometry that is refined as bytes arrive. */
 export class IsostarLoader extends Loader<BufferGeometry> {
   #decoder: Promise<Decoder> | undefined;
   #decoderOptions: DecoderOptions = {};
@@ -15,13 +33,13 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     super(manager);
   }
 
-  /** Where the WebAssembly is and whether to use a worker; counts for decoders not made yet. */
+  /** Where the WebAssembly is and whether to use a worker. Call it before preload() and load(). */
   setDecoderOptions(options: DecoderOptions): this {
     this.#decoderOptions = options;
     return this;
   }
 
-  /** Polygonizer, frame, isovalue, refinements. */
+  /** Polygonizer, frame, normals, isovalue, refinements. */
   setSurfaceOptions(options: SurfaceOptions): this {
     this.#surfaceOptions = options;
     return this;
@@ -29,7 +47,7 @@ export class IsostarLoader extends Loader<BufferGeometry> {
 
   /** Fetches the decoder before it is needed. */
   preload(): this {
-    void this.#ready().catch(() => {});  // load() will tell
+    void this.#ready().catch(() => {}); // load() reports it
     return this;
   }
 
@@ -51,13 +69,22 @@ export class IsostarLoader extends Loader<BufferGeometry> {
       .finally(() => this.manager.itemEnd(address));
   }
 
-  override loadAsync(url: string, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+  override loadAsync(
+    url: string,
+    onProgress?: (event: IsostarProgress) => void,
+  ): Promise<BufferGeometry> {
     return new Promise((resolve, reject) => this.load(url, resolve, onProgress, reject));
   }
 
-  /** The best surface of bytes at hand. */
-  parse(bytes: ArrayBuffer | Uint8Array, onLoad: (geometry: BufferGeometry) => void, onError: (reason: unknown) => void = console.error): void {
-    this.#parse(new Uint8Array(bytes as ArrayBuffer)).then(onLoad).catch(onError);
+  /** The best surface of a stream in memory. */
+  parse(
+    bytes: ArrayBuffer | Uint8Array,
+    onLoad: (geometry: BufferGeometry) => void,
+    onError: (reason: unknown) => void = console.error,
+  ): void {
+    this.#parse(new Uint8Array(bytes as ArrayBuffer))
+      .then(onLoad)
+      .catch(onError);
   }
 
   dispose(): void {
@@ -65,10 +92,16 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     this.#decoder = undefined;
   }
 
-  async #load(address: string, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+  async #load(
+    address: string,
+    onProgress?: (event: IsostarProgress) => void,
+  ): Promise<BufferGeometry> {
     const decoder = this.#ready();
     const credentials = this.crossOrigin === 'anonymous' ? 'same-origin' : 'include';
-    const response = await fetch(address, { headers: this.requestHeader, credentials: this.withCredentials ? 'include' : credentials });
+    const response = await fetch(address, {
+      headers: this.requestHeader,
+      credentials: this.withCredentials ? 'include' : credentials,
+    });
     return this.#decode(await decoder, response, onProgress);
   }
 
@@ -76,13 +109,21 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     return this.#decode(await this.#ready(), bytes);
   }
 
-  async #decode(decoder: Decoder, source: Source, onProgress?: (event: IsostarProgress) => void): Promise<BufferGeometry> {
+  async #decode(
+    decoder: Decoder,
+    source: Source,
+    onProgress?: (event: IsostarProgress) => void,
+  ): Promise<BufferGeometry> {
     const geometry = new BufferGeometry();
     const refinements = onProgress ? 'newest' : 'last';
     for await (const surface of decoder.decode(source, { refinements, ...this.#surfaceOptions })) {
       showSurface(geometry, surface, this.#surfaceOptions);
       if (!onProgress) continue;
-      const progress = new ProgressEvent('progress', { lengthComputable: true, loaded: surface.bytes, total: surface.info.bytes });
+      const progress = new ProgressEvent('progress', {
+        lengthComputable: true,
+        loaded: surface.bytes,
+        total: surface.info.bytes,
+      });
       onProgress(Object.assign(progress, { geometry, surface }));
     }
     return geometry;
@@ -93,11 +134,16 @@ export class IsostarLoader extends Loader<BufferGeometry> {
   }
 }
 
-/** Puts a surface into a geometry in place of what it had. */
-export function showSurface(geometry: BufferGeometry, surface: Surface, { frame }: SurfaceOptions = {}): void {
-  geometry.dispose();  // frees the buffers of the surface before
+/** Replaces a geometry's contents by a surface. */
+export function showSurface(
+  geometry: BufferGeometry,
+  surface: Surface,
+  { frame }: SurfaceOptions = {},
+): void {
+  geometry.dispose(); // frees the buffers of the previous surface
   geometry.setAttribute('position', new BufferAttribute(surface.positions, 3));
-  if (surface.normals.length > 0) geometry.setAttribute('normal', new BufferAttribute(surface.normals, 3));
+  if (surface.normals.length > 0)
+    geometry.setAttribute('normal', new BufferAttribute(surface.normals, 3));
   else geometry.deleteAttribute('normal');
   geometry.setIndex(new BufferAttribute(surface.indices, 1));
   const [minimum, maximum] = boundsOf(surface.info, frame);

@@ -1,43 +1,52 @@
-import { IsostarError } from './errors.js';
-import { Inbox } from './inbox.js';
-import { LocalDecoder } from './local-decoder.js';
-import type { Reply, Request } from './protocol.js';
-import type { Surface } from './surface.js';
+import { IsostarError } from './api/errors.js';
+import type { Surface } from './api/surface.js';
+import { LocalDecoder } from './codec/local-decoder.js';
+import { Inbox } from './input/inbox.js';
+import type { Reply, Request } from './remote/protocol.js';
 
 interface Port {
   postMessage(reply: Reply, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<Request>) => void) | null;
 }
 
-/** A decoder at the other end of a port: decodes when asked for the next surface, until then only collects bytes. */
+interface Decode {
+  readonly inbox: Inbox;
+  readonly surfaces: AsyncGenerator<Surface, void>;
+}
+
+/** The decoder behind a port. It decodes when `next` is requested; until then it collects bytes. */
 class Service {
   readonly #port: Port;
   #decoder: LocalDecoder | undefined;
-  readonly #decodes = new Map<number, { inbox: Inbox; surfaces: AsyncGenerator<Surface, void> }>();
+  readonly #decodes = new Map<number, Decode>();
 
   constructor(port: Port) {
     this.#port = port;
-    port.onmessage = ({ data }) => void this.#obey(data);
+    port.onmessage = ({ data }) => void this.#handle(data);
   }
 
-  async #obey(request: Request): Promise<void> {
-    if (request.type === 'open') return this.#answer(0, () => this.#open(request.wasm));
+  async #handle(request: Request): Promise<void> {
+    if (request.type === 'open') return this.#reply(0, () => this.#open(request.wasm));
     if (request.type === 'decode') {
       const inbox = new Inbox();
-      this.#decodes.set(request.id, { inbox, surfaces: this.#decoder!.decodeInbox(inbox, request.options) });
+      const surfaces = this.#decoder!.decodeInbox(inbox, request.options);
+      this.#decodes.set(request.id, { inbox, surfaces });
       return;
     }
     const decode = this.#decodes.get(request.id);
     if (!decode) return;
-    if (request.type === 'piece') decode.inbox.push(request.piece);
-    if (request.type === 'end') decode.inbox.end();
-    if (request.type === 'turn') decode.inbox.turn(request.isovalue);
-    if (request.type === 'settle') decode.inbox.settle();
-    if (request.type === 'next') return this.#answer(request.id, () => this.#next(request.id, decode.surfaces));
+    const { inbox, surfaces } = decode;
+    if (request.type === 'accept') inbox.accept(request.piece);
+    if (request.type === 'finish') inbox.finish();
+    if (request.type === 'beginIsovalues') inbox.beginIsovalues();
+    if (request.type === 'setIsovalue') inbox.setIsovalue(request.isovalue);
+    if (request.type === 'endIsovalues') inbox.endIsovalues();
+    if (request.type === 'next')
+      return this.#reply(request.id, () => this.#next(request.id, surfaces));
     if (request.type === 'stop') {
       this.#decodes.delete(request.id);
-      decode.inbox.fail(new DOMException('stopped', 'AbortError'));
-      await decode.surfaces.return().catch(() => {});
+      inbox.fail(new DOMException('stopped', 'AbortError'));
+      await surfaces.return().catch(() => {});
     }
   }
 
@@ -51,18 +60,23 @@ class Service {
     return value ? { type: 'surface', id, surface: value } : { type: 'done', id };
   }
 
-  async #answer(id: number, work: () => Promise<Reply>): Promise<void> {
+  async #reply(id: number, work: () => Promise<Reply>): Promise<void> {
     try {
       const reply = await work();
       this.#port.postMessage(reply, reply.type === 'surface' ? buffersOf(reply.surface) : []);
     } catch (reason) {
       const code = reason instanceof IsostarError ? reason.code : undefined;
-      this.#port.postMessage({ type: 'failed', id, code, message: String((reason as Error)?.message ?? reason) }, []);
+      const message = String((reason as Error)?.message ?? reason);
+      this.#port.postMessage({ type: 'failed', id, code, message }, []);
     }
   }
 }
 
-const buffersOf = ({ positions, normals, indices }: Surface) => [positions.buffer, normals.buffer, indices.buffer];
+const buffersOf = ({ positions, normals, indices }: Surface) => [
+  positions.buffer,
+  normals.buffer,
+  indices.buffer,
+];
 
-// Only a worker may be served: elsewhere an import must have no effect.
+// Outside a worker an import must have no effect.
 if ('WorkerGlobalScope' in globalThis) new Service(globalThis as unknown as Port);

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/in_parallel.h"
+#include "measure/parallel_tasks.h"
 
 namespace isostar::bench {
 namespace {
 
 double displacement(const measure::TriangleTree& surface, const DualSurface::Point& from,
                     const DualSurface::Point& normal) {
-  // Spheres of the free distance lead to the surface. Of two places as near to it the one nearer to
+  // Sphere tracing. Of two points at about the same distance from the surface, the one nearer to
   // the vertex is taken.
-  constexpr double kFarthest = 1.5, kThere = 1e-3, kTie = 1e-2;
+  constexpr double kFarthest = 1.5, kReached = 1e-3, kTie = 1e-2;
   double best = 0, nearest = INFINITY;
   uint32_t near = 0;
   for (double side : {1.0, -1.0}) {
@@ -25,8 +25,8 @@ double displacement(const measure::TriangleTree& surface, const DualSurface::Poi
         nearest = free + kTie * t;
         best = side * t;
       }
-      if (free < kThere) break;
-      t += std::max(free, kThere);
+      if (free < kReached) break;
+      t += std::max(free, kReached);
     }
   }
   return best;
@@ -35,11 +35,12 @@ double displacement(const measure::TriangleTree& surface, const DualSurface::Poi
 }  // namespace
 
 std::vector<double> displacements(const DualSurface& dual, const measure::TriangleTree& surface) {
-  constexpr size_t kAtOnce = 1024;
+  constexpr size_t kVerticesPerTask = 1024;
   std::vector<double> all(dual.vertices());
   if (surface.size() == 0) return all;
-  measure::inParallel((all.size() + kAtOnce - 1) / kAtOnce, [&](size_t task) {
-    for (size_t v = task * kAtOnce; v < std::min(all.size(), (task + 1) * kAtOnce); ++v)
+  measure::runInParallel((all.size() + kVerticesPerTask - 1) / kVerticesPerTask, [&](size_t task) {
+    for (size_t v = task * kVerticesPerTask;
+         v < std::min(all.size(), (task + 1) * kVerticesPerTask); ++v)
       all[v] = displacement(surface, dual.position(v), dual.normal(v));
   });
   return all;

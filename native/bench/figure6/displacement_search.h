@@ -7,9 +7,9 @@
 
 namespace isostar::bench {
 
-/// How far along its normal each vertex must go to lie on the source's surface, on whichever side
-/// that is nearer; where the line misses the surface, to where it comes nearest. Without a surface,
-/// nowhere.
+/// The displacement along its normal that moves each vertex to the source's surface, on the side
+/// where that is nearer. If the line misses the surface, to the line's nearest point; without a
+/// surface, 0.
 [[nodiscard]] std::vector<double> displacements(const DualSurface&,
                                                 const measure::TriangleTree& surface);
 

@@ -15,25 +15,25 @@ DistanceSamples::DistanceSamples(const Volume& volume, double isovalue, const Si
       unit_(volume.placement.spacing),
       known_(volume.samples.size(), -1.0f) {
   for (double& u : unit_) u /= native::smallestSpacing(volume.placement);
-  if (surface.size() != 0) agreeWithSamples();
+  if (surface.size() != 0) matchCrossings();
 }
 
 double DistanceSamples::operator()(const Coordinates<3>& sample) const {
-  float& known = known_[place(sample)];
+  float& known = known_[index(sample)];
   if (known < 0) known = distance(sample);
   return signs_.at(sample) ? known : -known;
 }
 
 float DistanceSamples::distance(const Coordinates<3>& sample) const {
-  constexpr float kLeast = 1e-4f;  // a sample on the surface still has its sign
+  constexpr float kLeast = 1e-4f;  // a sample on the surface keeps its sign
   if (surface_.size() == 0) return kLeast;
   const measure::Vector3 point{sample[0] * unit_[0], sample[1] * unit_[1], sample[2] * unit_[2]};
   return std::max(static_cast<float>(surface_.distance(point, near_)), kLeast);
 }
 
-/// A crossing lies where the samples have it if distances are samples times one factor at both
-/// ends: the factors' logarithms are smoothed along crossing edges.
-void DistanceSamples::agreeWithSamples() {
+/// A crossing is where the samples have it if distances are samples times the same factor at both
+/// ends. The logarithms of these factors are therefore smoothed along crossing edges.
+void DistanceSamples::matchCrossings() {
   constexpr int kRounds = 24;
   constexpr double kLeast = 1e-9;
   struct Edge {
@@ -47,7 +47,7 @@ void DistanceSamples::agreeWithSamples() {
     return std::max(std::abs(volume_.samples[end] - isovalue_), kLeast);
   };
   const auto add = [&](const Coordinates<3>& v) {
-    const size_t end = place(v);
+    const size_t end = index(v);
     if (degree[end]++ > 1) return end;
     ends.push_back(end);
     factor[end] = static_cast<float>(std::log(distance(v) / size(end)));

@@ -10,11 +10,11 @@ constexpr int kRelaxations = 6;
 
 using Point = DualSurface::Point;
 
-/// Of the octree's grid: cells from -1 to the last plane, of which the outermost have no width.
+/// The cells of the octree's grid from -1 to the last plane. The outermost ones have zero width.
 class Cells {
  public:
   Cells(const Lattice<3>& lattice, const Point& unit)
-      : lattice_(lattice), unit_(unit), vertexOf_(place(lattice.last) + 1, UINT32_MAX) {}
+      : lattice_(lattice), unit_(unit), vertexOf_(index(lattice.last) + 1, UINT32_MAX) {}
 
   [[nodiscard]] Point corner(const Coordinates<3>& v) const {
     Point p;
@@ -24,15 +24,15 @@ class Cells {
     }
     return p;
   }
-  /// The number of the cell's vertex; `fresh` is what the next new one has.
+  /// The number of the cell's vertex; `newVertex` is the number of the next new one.
   uint32_t vertex(const Coordinates<3>& cell, size_t newVertex) {
-    uint32_t& vertex = vertexOf_[place(cell)];
+    uint32_t& vertex = vertexOf_[index(cell)];
     if (vertex == UINT32_MAX) vertex = static_cast<uint32_t>(newVertex);
     return vertex;
   }
 
  private:
-  [[nodiscard]] size_t place(const Coordinates<3>& cell) const {
+  [[nodiscard]] size_t index(const Coordinates<3>& cell) const {
     size_t at = 0;
     for (int a = 2; a >= 0; --a)
       at = at * static_cast<size_t>(lattice_.last[a] + 2) + static_cast<size_t>(cell[a] + 1);
@@ -44,8 +44,8 @@ class Cells {
   std::vector<uint32_t> vertexOf_;
 };
 
-/// Calls visit(lower end, axis, sign there) for each edge with ends of both signs. A flat grid has
-/// no cells and none.
+/// Calls visit(lower end, axis, its sign) for each crossing edge. A flat grid has no cells and no
+/// crossing edges.
 template <class Visit>
 void forEachCrossing(const Lattice<3>& lattice, const DualSurface::Positive& positive,
                      Visit visit) {
@@ -68,7 +68,7 @@ void forEachCrossing(const Lattice<3>& lattice, const DualSurface::Positive& pos
 
 DualSurface::DualSurface(const Lattice<3>& lattice, const Point& unit, const Positive& positive) {
   Cells cells(lattice, unit);
-  std::vector<uint32_t> crossings;  // of each vertex's cell
+  std::vector<uint32_t> crossings;  // the number of crossing edges of each vertex's cell
   forEachCrossing(lattice, positive, [&](const Coordinates<3>& v, int axis, bool sign) {
     auto end = v;
     ++end[axis];
@@ -170,9 +170,8 @@ Mesh DualSurface::mesh(const std::vector<double>& displacements) const {
     return sum;
   };
   for (const auto& quad : quads_) {
-    const size_t first = squaredLength(quad[0], quad[2]) <= squaredLength(quad[1], quad[3])
-                             ? 0
-                             : 1;  // the shorter diagonal's
+    // Splits along the shorter diagonal.
+    const size_t first = squaredLength(quad[0], quad[2]) <= squaredLength(quad[1], quad[3]) ? 0 : 1;
     for (size_t corner : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(quad[(first + corner) % 4]);
   }
   return mesh;

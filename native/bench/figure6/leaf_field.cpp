@@ -5,7 +5,7 @@ namespace isostar::bench {
 void LeafField::fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear) {
   for (const auto& v : s.vertices) {
     const auto sample = hierarchy_.position(v);
-    samples_[place(sample)] = static_cast<float>(linear.at(sample));
+    samples_[index(sample)] = static_cast<float>(linear.at(sample));
   }
   if (s.depth == hierarchy_.maxDepth()) return;
   for (const auto& half : s.halves()) {
@@ -19,7 +19,7 @@ void LeafField::complete(bool positive) {
   for (int32_t z = 0; z <= box[2]; ++z) {
     for (int32_t y = 0; y <= box[1]; ++y) {
       for (int32_t x = 0; x <= box[0]; ++x) {
-        if (!std::isnan(samples_[place({x, y, z})])) front.push_back({x, y, z});
+        if (!std::isnan(samples_[index({x, y, z})])) front.push_back({x, y, z});
       }
     }
   }
@@ -31,8 +31,8 @@ void LeafField::complete(bool positive) {
       for (int32_t side : {-1, 1}) {
         auto next = v;
         next[a] += side;
-        if (next[a] < 0 || next[a] > box[a] || !std::isnan(samples_[place(next)])) continue;
-        samples_[place(next)] = std::copysign(1.0f, samples_[place(v)]);
+        if (next[a] < 0 || next[a] > box[a] || !std::isnan(samples_[index(next)])) continue;
+        samples_[index(next)] = std::copysign(1.0f, samples_[index(v)]);
         front.push_back(next);
       }
     }

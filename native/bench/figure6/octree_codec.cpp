@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
-#include "bench/figure6/displacement_coder.h"
 #include "bench/figure6/displacement_search.h"
+#include "bench/figure6/octree_displacement_coder.h"
+#include "bench/figure6/octree_sides.h"
 #include "bench/figure6/octree_signs.h"
-#include "bench/figure6/octree_truth.h"
 #include "bench/figure6/volume_signs.h"
 #include "container/bytes.h"
 #include "volume/placement.h"
@@ -46,7 +46,7 @@ std::vector<std::byte> encodeOctree(const Volume& volume, double isovalue,
   for (double& u : unit) u /= native::smallestSpacing(volume.placement);
   const auto dual = surfaceOf(*signs, levels, unit);
   const auto wanted = displacements(dual, surface);
-  DisplacementCoder coder(dual);
+  OctreeDisplacementCoder coder(dual);
   for (int plane = 0; plane < kPlanes; ++plane)
     addLayer([&](RangeEncoder& out) {
       coder.code(
@@ -76,7 +76,7 @@ Mesh decodeOctree(std::span<const std::byte> prefix, const std::array<double, 3>
   const int levels = finestLevelOf(grid);
   auto signs = std::make_unique<OctreeSigns>(lastSample(grid), levels);
   std::optional<DualSurface> dual;
-  std::optional<DisplacementCoder> displaced;
+  std::optional<OctreeDisplacementCoder> displaced;
   int layer = 0;
   for (size_t at = reader.position(); at < prefix.size(); ++layer) {
     ByteReader length(prefix.subspan(at));

@@ -9,10 +9,10 @@
 
 namespace isostar::bench {
 
-/// The signs of an octree's corners, level by level, after H. Lee, M. Desbrun, P. Schröder,
-/// Progressive encoding of complex isosurfaces (2003): new corners are told only where the parent
-/// has samples of both signs; of a child whose corners agree one bit says whether it has,
-/// nevertheless. What is left is of one sign.
+/// Codes the signs of an octree's corners level by level, after H. Lee, M. Desbrun, P. Schröder,
+/// Progressive encoding of complex isosurfaces (2003). New corners are coded only in parents with
+/// samples of both signs. For a child whose corners have one sign, a bit says whether it has
+/// samples of both signs nevertheless. All other cells have one sign.
 class OctreeSigns {
  public:
   OctreeSigns(const Coordinates<3>& lastSample, int levels)
@@ -25,8 +25,8 @@ class OctreeSigns {
     return Lattice<3>(last_, int32_t{1} << (levels_ - level));
   }
 
-  /// Tells the signs of a level; those of the level before have been told. `truth` is an
-  /// OctreeTruth or an OctreeBlind.
+  /// Codes the signs of a level after those of the level before. `actual` is an OctreeEncoderSide
+  /// or an OctreeDecoderSide.
   template <class Coder, class Actual>
   void code(Coder& coder, const Actual& actual, int level) {
     const auto grid = lattice(level);
@@ -35,7 +35,8 @@ class OctreeSigns {
       forEach({0, 0, 0}, grid.last, [&](const auto& v) { codeSign(coder, actual, grid, v, 0); });
       forEach({0, 0, 0}, minusOne(grid.last), [&](const auto& cell) { cells.push_back(cell); });
     } else {
-      // Corners on edges first, then on faces, then within: each knows all that it lies between.
+      // First the corners on edges, then on faces, then in the interior: each lies between corners
+      // that are already coded.
       for (int newAxisCount = 1; newAxisCount <= 3; ++newAxisCount) {
         for (const auto& parent : active_) {
           forEach(lowest(parent), highest(grid, parent), [&](const auto& v) {
@@ -57,7 +58,7 @@ class OctreeSigns {
     }
   }
 
-  /// Of a vertex of a level that has been told.
+  /// The sign of a vertex of a coded level.
   [[nodiscard]] bool positive(const Lattice<3>& grid, const Coordinates<3>& v) const {
     return at(grid, v) == kPositive;
   }
@@ -89,7 +90,7 @@ class OctreeSigns {
     }
   }
 
-  [[nodiscard]] size_t place(const Coordinates<3>& sample) const {
+  [[nodiscard]] size_t index(const Coordinates<3>& sample) const {
     return (static_cast<size_t>(sample[2]) * static_cast<size_t>(last_[1] + 1) +
             static_cast<size_t>(sample[1])) *
                static_cast<size_t>(last_[0] + 1) +
@@ -100,9 +101,9 @@ class OctreeSigns {
     return v;
   }
   [[nodiscard]] uint8_t at(const Lattice<3>& grid, const Coordinates<3>& v) const {
-    return signs_[place(sampleOf(grid, v))];
+    return signs_[index(sampleOf(grid, v))];
   }
-  /// 1, -1 or, unknown, 0; mirrored at the box's end.
+  /// The sign of a neighbour, as 1, -1 or 0 (unknown); mirrored at the sides of the box.
   [[nodiscard]] int beside(const Lattice<3>& grid, const Coordinates<3>& v, int x, int y,
                            int z) const {
     const uint8_t sign = at(
@@ -110,22 +111,22 @@ class OctreeSigns {
     return sign == kUnknown ? 0 : sign == kPositive ? 1 : -1;
   }
 
-  /// Which sign the 125 vertices around speak for, the nearer ones louder: 0 … kVotes - 1.
+  /// A weighted sum of the 125 signs around a vertex, clamped to 0 … kVotes - 1.
   [[nodiscard]] size_t vote(const Lattice<3>& grid, const Coordinates<3>& v) const {
-    static constexpr int kLoud[13] = {0, 60, 42, 26, 20, 16, 10,
-                                      0, 7,  6,  0,  0,  4};  // by squared distance
+    /// By squared distance.
+    static constexpr int kVoteWeights[13] = {0, 60, 42, 26, 20, 16, 10, 0, 7, 6, 0, 0, 4};
     int sum = 0;
     for (int z = -2; z <= 2; ++z) {
       for (int y = -2; y <= 2; ++y) {
         for (int x = -2; x <= 2; ++x)
-          sum += kLoud[x * x + y * y + z * z] * beside(grid, v, x, y, z);
+          sum += kVoteWeights[x * x + y * y + z * z] * beside(grid, v, x, y, z);
       }
     }
     return static_cast<size_t>(std::clamp(sum / 24 + kVotes / 2, 0, kVotes - 1));
   }
 
-  /// The corners of the parent's edge, face or cube that the vertex is the middle of, and what lies
-  /// between them and it.
+  /// The signs of the corners of the parent's edge, face or cube whose centre is the vertex, and of
+  /// the vertices between them and the centre.
   [[nodiscard]] size_t patternBetween(const Lattice<3>& grid, const Coordinates<3>& v,
                                       int newAxisCount) const {
     size_t pattern = 0;
@@ -143,7 +144,7 @@ class OctreeSigns {
     return pattern;
   }
 
-  /// Of those along the axes at a distance: 0 … 12.
+  /// The sum of the six signs along the axes at a distance, as 0 … 12.
   [[nodiscard]] size_t sumOfSix(const Lattice<3>& grid, const Coordinates<3>& v,
                                 int distance) const {
     int sum = 6;
@@ -156,20 +157,20 @@ class OctreeSigns {
   void codeSign(Coder& coder, const Actual& actual, const Lattice<3>& grid, const Coordinates<3>& v,
                 int newAxisCount) {
     const auto sample = sampleOf(grid, v);
-    uint8_t& sign = signs_[place(sample)];
+    uint8_t& sign = signs_[index(sample)];
     if (sign != kUnknown) return;
     const size_t between = newAxisCount == 0 ? 0 : patternBetween(grid, v, newAxisCount),
-                 near = sumOfSix(grid, v, 1), far = sumOfSix(grid, v, 2);
-    const auto kind = static_cast<size_t>(newAxisCount), loud = vote(grid, v);
+                 adjacent = sumOfSix(grid, v, 1), second = sumOfSix(grid, v, 2);
+    const auto kind = static_cast<size_t>(newAxisCount), votes = vote(grid, v);
     const std::array<BitModel*, 4> contexts{
-        &signByBetween_[kind][between], &signByVote_[kind][loud], &signBySides_[kind][near][far],
-        &signByBoth_[kind][loud / 4][between & 15]};
+        &signByBetween_[kind][between], &signByVote_[kind][votes],
+        &signBySides_[kind][adjacent][second], &signByBoth_[kind][votes / 4][between & 15]};
     const bool coded =
         Mixer<4>::bit<127, 10>(coder, actual.positive(sample), contexts, signWeights_[kind]);
     sign = coded ? kPositive : kNegative;
   }
 
-  /// Has the cell samples of both signs? Its corners tell, or a bit.
+  /// Whether the cell has samples of both signs: known from its corners, or coded in a bit.
   template <class Coder, class Actual>
   bool isMixed(Coder& coder, const Actual& actual, const Lattice<3>& grid, int level,
                const Coordinates<3>& cell) {
@@ -186,14 +187,14 @@ class OctreeSigns {
                                   mixedWeights_[positives != 0]);
   }
 
-  /// All samples of a cell of one sign.
+  /// Sets all samples of a cell to the sign of its corners.
   void settle(const Lattice<3>& grid, const Coordinates<3>& cell) {
     const auto first = sampleOf(grid, cell),
                last = sampleOf(grid, {cell[0] + 1, cell[1] + 1, cell[2] + 1});
-    const uint8_t sign = signs_[place(first)];
+    const uint8_t sign = signs_[index(first)];
     for (int32_t z = first[2]; z <= last[2]; ++z) {
       for (int32_t y = first[1]; y <= last[1]; ++y) {
-        for (int32_t x = first[0]; x <= last[0]; ++x) signs_[place({x, y, z})] = sign;
+        for (int32_t x = first[0]; x <= last[0]; ++x) signs_[index({x, y, z})] = sign;
       }
     }
   }
@@ -203,7 +204,7 @@ class OctreeSigns {
   Coordinates<3> last_;
   int levels_;
   std::vector<uint8_t> signs_;          // by sample
-  std::vector<Coordinates<3>> active_;  // cells of the last level told with samples of both signs
+  std::vector<Coordinates<3>> active_;  // cells of the last coded level with samples of both signs
   std::array<std::array<BitModel, 1 << 14>, 4> signByBetween_;
   std::array<std::array<BitModel, kVotes>, 4> signByVote_;
   std::array<std::array<std::array<BitModel, 13>, 13>, 4> signBySides_;

@@ -12,26 +12,28 @@
 namespace isostar::bench {
 namespace {
 
-// Of the bound. Scalars are off by half their step, which adds to the flatness of leaves only in
-// the worst case.
+// As fractions of the bound. Scalars have an error of half their step, which adds to the error of
+// flat leaves only in the worst case.
 constexpr double kFlat = 0.8, kQuantized = 1.1;
 
 struct Visit {
   TaggedSimplex<3> leaf, from;
-  int newVertex = -1;  // of a component's first leaf, which comes from nowhere
+  int newVertex = -1;  // -1: a component's first leaf, in which all vertices are new
 };
 
-/// Both directions: `ask` has the mesh or nothing.
+/// Encodes or decodes the mesh: `exchange` is the encoder's or the decoder's side.
 template <class Exchange>
 std::vector<Visit> codeMesh(Exchange& exchange, GateTraversal<3>& traversal) {
   std::vector<Visit> visits;
   traversal.code(exchange, [&](const auto& leaf, const auto* from, int newVertex) {
-    visits.push_back({leaf, from != nullptr ? *from : leaf, from != nullptr ? newVertex : -1});
+    visits.push_back({.leaf = leaf,
+                      .from = from != nullptr ? *from : leaf,
+                      .newVertex = from != nullptr ? newVertex : -1});
   });
   return visits;
 }
 
-/// The same: truth(sample) is the scalar or anything.
+/// Encodes or decodes the scalars. When decoding, the result of actual(sample) is ignored.
 template <class Coder, class Actual>
 void codeScalars(Coder& coder, const std::vector<Visit>& visits, const GateTraversal<3>& traversal,
                  ScalarCoder& scalars, Actual actual) {
@@ -73,10 +75,11 @@ std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isov
   std::vector<SingleRateStream> streams;
   for (double bound : bounds) {
     Rbmt<3> mesh(hierarchy);
-    const DistanceBound<3, DistanceSamples, decltype(source)> near(hierarchy, signs, distances,
-                                                                   source, kFlat * bound);
-    refine(mesh,
-           [&](const TaggedSimplex<3>& s) { return !mayCross(signs, hierarchy, s) || near(s); });
+    const DistanceBound<3, DistanceSamples, decltype(source)> isWithinBound(
+        hierarchy, signs, distances, source, kFlat * bound);
+    refine(mesh, [&](const TaggedSimplex<3>& s) {
+      return !mayCross(signs, hierarchy, s) || isWithinBound(s);
+    });
     streams.push_back(encoded(mesh, signs, distances, kQuantized * bound));
   }
   return streams;

@@ -11,19 +11,19 @@ namespace isostar::bench {
 
 struct SingleRateStream {
   std::vector<std::byte> bytes;
-  size_t connectivity = 0;          // of its bytes: levels, signs and where components begin
+  size_t connectivity = 0;          // bytes of depths, signs and localizations
   size_t leaves = 0, vertices = 0;  // of the tube
 };
 
-/// A surface at a single rate, for comparison only (§5.1, §6): a mesh of the RBMT that is adapted
-/// to a distance, told through its gates, then the scalars of its vertices. One stream for each
-/// bound, in grid steps and to first order: who wants to know measures. `surface` is the source's,
-/// in grid steps.
+/// Encodes a surface at a single rate, for comparison only (§5.1, §6): an RBMT adapted to a
+/// distance, coded by gate traversal, then the scalars of its vertices. One stream for each bound,
+/// in grid steps; the bound holds only to first order, so distances must be measured. `surface` is
+/// the source's, in grid steps.
 [[nodiscard]] std::vector<SingleRateStream> encodeSingleRate(const Volume& volume, double isovalue,
                                                              const measure::TriangleTree& surface,
                                                              std::span<const double> bounds);
 
-/// Samples of the piecewise linear function that a stream tells, 0 on the surface, x fastest.
+/// Samples of a stream's piecewise linear function, which is 0 on the surface; x fastest.
 struct SampledFunction {
   std::vector<float> samples;
   std::array<int32_t, 3> size{};

@@ -5,11 +5,11 @@
 
 namespace isostar::bench {
 
-/// The samples' signs, as both comparison codecs tell them: positive above the isovalue.
+/// The signs of the samples, which both comparison codecs encode: positive above the isovalue.
 Signs<3> signsOf(const Volume&, double isovalue);
 
-/// How often a cell of four on the longest axis must be halved to be the grid's own: the octaves
-/// that isostar has.
+/// How often a base cell, of four along the longest axis, must be halved to become a cell of the
+/// grid: the same number of refinement levels as in isostar.
 int finestLevelOf(const std::array<int32_t, 3>& size);
 
 /// The last sample on each axis.

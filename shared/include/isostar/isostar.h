@@ -1,6 +1,12 @@
-// isostar: isosurfaces of volume data, compressed and decoded progressively.
+// Public interface of isostar: encodes isosurfaces of regular grids and decodes them progressively.
+//
 // After T. Lewiner, L. Velho, H. Lopes, V. Mello, Simplicial Isosurface Compression (2004); "§"
 // cites its sections.
+//
+// Three kinds of source are supported: an Image (2D, isocontours), a Volume (3D, an isosurface) and
+// a Sequence of volumes (4D, §6). Distances and errors are in grid steps: multiples of the smallest
+// spacing. Spans are borrowed for the length of a call. Functions report expected failures by an
+// Error; they do not throw for bad arguments or bad bytes.
 #pragma once
 
 #include <array>
@@ -15,64 +21,79 @@
 
 namespace isostar {
 
-inline constexpr int kFormatVersion = 1;  // encode() writes it; decoders read 1 … kFormatVersion
+/// The version of the format that encode() writes. Decoders read versions 1 … kFormatVersion.
+inline constexpr int kFormatVersion = 1;
 
 enum class Error : uint8_t {
   None,
-  BadArgument,         // the caller's volume or options make no sense
-  NotIsostar,          // the first bytes are not ours
-  UnsupportedVersion,  // written by a newer format than this library reads, or in a dimension that
-                       // this build lacks
-  Truncated,           // more bytes were needed; feeding them may still succeed
-  Corrupt,             // a checksum or a field cannot be true
-  OverLimit,           // sound perhaps, but larger than the caller's Limits
+  /// The caller's source or options violate the contract below.
+  BadArgument,
+  /// The first bytes are not those of an isostar stream.
+  NotIsostar,
+  /// The stream's format is newer than this library reads, or this build lacks its dimension.
+  UnsupportedVersion,
+  /// More bytes are needed; the same call may succeed once they have arrived.
+  Truncated,
+  /// A checksum is wrong, or a field has an impossible value.
+  Corrupt,
+  /// Possibly sound, but larger than the caller's Limits.
+  OverLimit,
 };
-const char* name(Error);      // the enumerator: "Corrupt"
-const char* describe(Error);  // one English clause without a full stop
+/// The name of the enumerator: "Corrupt". A string literal.
+const char* name(Error);
+/// One English clause without a full stop. A string literal.
+const char* describe(Error);
 
-/// Which surface is made of the scalars (§3): one vertex per crossing axis edge, or one polygon per
-/// crossing tetrahedron.
+/// Which surface is made of the scalars (§3). Cubes: one vertex per crossing axis edge, as in
+/// marching cubes (marching squares for images). Tetrahedra: one polygon per crossing tetrahedron
+/// of the RBMT (one segment per crossing triangle).
 enum class Polygonizer : uint8_t { Cubes, Tetrahedra };
 
-/// World applies the placement; Grid puts sample (i,j,k) at point (i,j,k).
+/// The frame of positions and normals. World applies the source's Placement; Grid puts sample
+/// (i, j, k) at point (i, j, k).
 enum class Frame : uint8_t { World, Grid };
 
-/// world = origin + direction · (spacing ∘ index); direction is row-major and invertible, spacing
-/// positive.
+/// Where a grid lies in the world: world = origin + direction · (spacing ∘ index). `direction` is
+/// row-major, each column is the direction of an axis. Spacings must be positive, all numbers
+/// finite and `direction` invertible. Values far outside of single precision's range are rejected:
+/// origins beyond ±1e30, spacings outside 1e-20 … 1e20, columns of a length outside 1e-6 … 1e6.
 struct Placement {
   std::array<double, 3> origin{0, 0, 0}, spacing{1, 1, 1};
   std::array<double, 9> direction{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
-/// Samples on a regular grid, x fastest, borrowed for the length of the call. All must be finite.
-/// A sample is positive where `sample > isovalue`.
+/// Samples on a regular grid. The product of the sizes must be the number of samples; each size is
+/// 1 … 2^28 - 1. With a size of 1 on some axis there is no surface.
 struct Volume {
+  /// x fastest; all finite. A sample is positive where `sample > isovalue`.
   std::span<const float> samples;
   std::array<int32_t, 3> size{0, 0, 0};
   Placement placement;
-  /// Irregular data (§2): how far each sample lies from the boundary of the domain outside of which
-  /// there is no field, in grid steps along the smallest spacing, positive inside; finite, exact up
-  /// to a cell's diagonal. The surface ends there. Empty: the domain is the box. Samples outside
-  /// continue the field by a cell's diagonal.
+  /// For data that do not fill the box (§2): the distance of each sample from the boundary of the
+  /// domain, in grid steps, positive inside, in the order of `samples`. All finite; exact up to the
+  /// diagonal of a cell. The surface ends at the boundary; samples outside must continue the field
+  /// by the diagonal of a cell. Empty: the domain is the box.
   std::span<const float> domain{};
 };
 
-/// Any function of a point in the world, for sampled().
+/// A function of a point in world coordinates, for sampled().
 using Field = std::function<double(double x, double y, double z)>;
 
-/// The samples of a function on a volume's grid, x fastest; none where the size is not positive.
+/// The values of a function at the samples of a volume with this size and placement, x fastest.
+/// Empty if a size is not positive.
 [[nodiscard]] std::vector<float> sampled(const Field&, const std::array<int32_t, 3>& size,
                                          const Placement& = {});
 
-/// Samples of an image, x fastest, borrowed; what is encoded is its isocontours (§6).
+/// Samples of an image, of which isocontours are encoded (§6). Contracts are those of Volume.
 struct Image {
   std::span<const float> samples;
   std::array<int32_t, 2> size{0, 0};
   std::array<double, 2> origin{0, 0}, spacing{1, 1};
 };
 
-/// Volumes one after the other, time slowest; their isosurfaces are encoded as one surface in four
-/// dimensions (§6). Distances count a frame as one grid step.
+/// Volumes at `frames` times, x fastest and time slowest. Their isosurfaces are encoded as one
+/// surface in four dimensions (§6), in which a frame counts as one grid step. Contracts are those
+/// of Volume, for four axes.
 struct Sequence {
   std::span<const float> samples;
   std::array<int32_t, 3> size{0, 0, 0};
@@ -80,119 +101,163 @@ struct Sequence {
   Placement placement;
 };
 
+/// Options of encode(). Combinations that are named as not allowed are a BadArgument.
 struct EncodeOptions {
+  /// Finite.
   double isovalue = 0;
-  std::vector<double> furtherIsovalues;  // further isovalues on top of it (§5.4), at most 15, all
-                                         // different; not with `adaptive`
-  double maxError =
-      0.05;  // bound on the two-sided distance, in grid steps along the smallest spacing
-  bool lossless = false;  // the decoded surface is the one that the polygonizer makes of the source
-  Polygonizer polygonizer =
-      Polygonizer::Cubes;  // whose vertices' scalars are sent, and for which the bound holds
-  bool adaptive = false;   // coarse simplices where they keep the bound (§4.3); not for sequences,
-                           // lossless or near
-  bool preserveTopology =
-      false;  // every surface along the stream has the finest one's (§4.3); volumes only; not
-              // combined with `adaptive`, which then makes no difference
-  /// 1: what decodes at once; 2: scalars are predicted by least squares from all around (§6), which
-  /// makes smooth surfaces' streams smaller by up to 18 %, and takes encoder and decoder longer.
+  /// Further isovalues, coded on top of the first one (§5.4): at most 15, finite, all different
+  /// from each other and from `isovalue`. Not with `adaptive`, and not for a Volume with a domain.
+  std::vector<double> furtherIsovalues;
+  /// The bound: the largest two-sided distance between the decoded surface and the source's, in
+  /// grid steps. Finite and positive; unused if `lossless`.
+  double maxError = 0.05;
+  /// The decoded surface is exactly the one that `polygonizer` makes of the source.
+  bool lossless = false;
+  /// The polygonizer whose vertices' scalars are coded, and for which the bound holds. The other
+  /// one shows such a stream, too, but without the bound.
+  Polygonizer polygonizer = Polygonizer::Cubes;
+  /// An adaptive mesh: coarse simplices where they keep the bound (§4.3), if that makes the stream
+  /// smaller. Not for a Sequence, and not with `lossless` or `furtherIsovalues`. Has no effect on a
+  /// Volume with a domain.
+  bool adaptive = false;
+  /// Every surface along the stream has the topology of the finest one (§4.3). Only for a Volume
+  /// without a domain. `adaptive` then has no effect.
+  bool preserveTopology = false;
+  /// 1: fast to decode. 2: scalars are predicted by least squares from all around (§6). This makes
+  /// streams of smooth surfaces smaller by up to 18 %, and takes encoder and decoder longer.
   int effort = 1;
   static constexpr int kMostEffort = 2;
-  std::function<void(double done)> progress;  // called now and then with 0 … 1
+  /// Called now and then with a fraction 0 … 1, by the thread that called encode(). May be empty.
+  std::function<void(double done)> progress;
 };
 
+/// An indexed triangle mesh.
 struct Mesh {
-  std::vector<float> positions;  // x, y, z of each vertex
-  std::vector<float> normals;    // unit, towards smaller values; empty where not asked for
-  std::vector<uint32_t>
-      indices;  // three vertices each, counter-clockwise seen from the side of smaller values
+  /// x, y, z of each vertex.
+  std::vector<float> positions;
+  /// x, y, z of each vertex's unit normal, which points to smaller values. Empty if not requested.
+  std::vector<float> normals;
+  /// Three vertices per triangle, counter-clockwise seen from the side of smaller values.
+  std::vector<uint32_t> indices;
 };
 
+/// How polygonize() and Decoder make a mesh or contours.
 struct MeshOptions {
   Polygonizer polygonizer = Polygonizer::Cubes;
   Frame frame = Frame::World;
+  /// Compute Mesh::normals; contours have none.
   bool normals = true;
-  /// When to cut a sequence, in frames from 0. On a frame it is that frame's own surface; between
-  /// two, that of the scalars in between. A volume's surface is the same at all times.
+  /// For sequences: the time of the surface, in frames, 0 … frames - 1. On a frame it is that
+  /// frame's own surface; between two frames, that of interpolated scalars. Ignored for others.
   double time = 0;
-  /// Of a stream's surface: one of StreamInfo::isovalues or a value between two of them, which is
-  /// then drawn from what is known; by default the first. Before an isovalue's own layers have come
-  /// it is drawn from those told.
+  /// For streams: one of StreamInfo::isovalues, or a value between two of them, whose surface is
+  /// estimated from the coded ones. Before the layers of an isovalue are decoded, its surface is
+  /// estimated from the isovalues decoded so far. By default the first isovalue. polygonize() takes
+  /// the isovalue as an argument and ignores this one.
   std::optional<double> isovalue = std::nullopt;
 };
 
-/// Isocontours: polylines with larger values on their left, where y points up.
+/// Isocontours as polylines, with larger values on their left where y points up.
 struct Contours {
-  std::vector<float> points;  // x, y of each
-  std::vector<uint32_t>
-      starts;  // of each polyline in `points`, and where the last one ends; closed ones come last
-  uint32_t open = 0;  // so many polylines begin and end at the image's border; of all others the
-                      // last point joins the first
-  bool positiveCorner =
-      false;  // is the first sample positive? This tells the sides apart where no contour does
+  /// x, y of each point.
+  std::vector<float> points;
+  /// The index in `points` / 2 at which each polyline starts, and at the end where the last one
+  /// ends. Open polylines come first, closed ones last.
+  std::vector<uint32_t> starts;
+  /// How many polylines are open: they start and end at the image's border. All others are closed:
+  /// their last point is joined to their first.
+  uint32_t open = 0;
+  /// Is the first sample positive? Without a contour this is the sign of the whole image.
+  bool positiveCorner = false;
 };
 
-/// What a decoder may spend on a stranger's file. The defaults suit a browser tab.
+/// What a decoder may spend on untrusted input. The defaults suit a browser tab.
 struct Limits {
-  uint64_t samples = 1ull << 31;   // of the grid
-  uint64_t vertices = 1ull << 26;  // of a mesh
-  /// Bytes that a decoder holds, with the surface while it is made. Beside them come the bytes fed,
-  /// which are as many at most, and up to 4 MB of models.
+  /// Samples of the source's grid, all frames together.
+  uint64_t samples = 1ull << 31;
+  /// Vertices of a mesh, or points of contours.
+  uint64_t vertices = 1ull << 26;
+  /// Bytes that a decoder uses, including the mesh while it is made. Not included are the bytes of
+  /// the stream given to accept(), which may take as much again, and up to 4 MB of models.
   uint64_t memory = 3ull << 30;
 };
 
-/// One piece of the stream after which the decoded surface is better.
+/// One layer: a piece of the stream after which the decoded surface is better.
 struct LayerInfo {
-  std::string kind;     // "base", "refinement", "domain", "geometry"
-  int level = 0;        // octave: 0 is the base, the last is the source's own grid
-  uint64_t offset = 0;  // the layer is complete after this many bytes of the file
-  uint64_t bytes = 0;   // of the layer alone
-  double error = 0;  // RMS distance to the source's surface after it, in grid steps, as the encoder
-                     // determined it
-  int isovalue = 0;  // whose layer it is: an index into StreamInfo::isovalues; 0 is the first
+  /// "base", "refinement", "domain" or "geometry".
+  std::string kind;
+  /// The refinement level that the layer belongs to: 0 is the base, the last is the source's grid.
+  int level = 0;
+  /// The number of bytes from the start of the stream to the end of the layer.
+  uint64_t offset = 0;
+  /// The layer's own bytes, without its head.
+  uint64_t bytes = 0;
+  /// The RMS distance to the source's surface after the layer, in grid steps, as measured by the
+  /// encoder.
+  double error = 0;
+  /// The isovalue that the layer belongs to: an index into StreamInfo::isovalues, 0 is the first.
+  int isovalue = 0;
 };
 
-/// What the header and the layers' own heads tell, without decoding.
+/// What a stream's header and the heads of its layers say.
 struct StreamInfo {
-  int version = 0;    // of the format, 1 … kFormatVersion
-  int dimension = 3;  // 2: an image's contours; 3: a volume's surface; 4: a sequence's surface
-  std::array<int32_t, 3> size{};  // an image's third is 1
-  int32_t frames = 1;             // of a sequence
+  /// The version of the format, 1 … kFormatVersion.
+  int version = 0;
+  /// 2: an image's contours; 3: a volume's surface; 4: a sequence's surface.
+  int dimension = 3;
+  /// The size of the source's grid; an image's third is 1.
+  std::array<int32_t, 3> size{};
+  /// The number of frames of a sequence, else 1.
+  int32_t frames = 1;
   Placement placement;
-  std::vector<double>
-      isovalues;  // the first one, then further ones in the order in which they are told
+  /// The first isovalue, then further ones in the order in which they are coded.
+  std::vector<double> isovalues;
+  /// The options of encode(), of which `adaptive` is set only if the mesh is adaptive.
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
-  bool adaptive = false;  // the mesh is coarser where that keeps the bound (§4.3)
-  bool preservesTopology =
-      false;                 // every layer's surface has the topology of the last one's (§4.3)
-  int effort = 1;            // as in EncodeOptions: 2 takes longer to decode
-  bool trimmed = false;      // the surface ends at the boundary of a domain inside the box (§2)
-  double maxError = 0;       // the bound that was asked for; 0 for lossless
-  uint64_t vertices = 0;     // of the complete surface that `cubes` makes, before it is trimmed
-  uint64_t headerBytes = 0;  // header and the layer heads so far
-  uint64_t bytes = 0;        // of the whole stream, as soon as its header has arrived
+  bool adaptive = false;
+  bool preservesTopology = false;
+  int effort = 1;
+  /// The surface ends at the boundary of a domain inside the box (§2).
+  bool trimmed = false;
+  /// The bound, in grid steps; 0 if lossless.
+  double maxError = 0;
+  /// Vertices of the final surface of the first isovalue that Polygonizer::Cubes makes, before it
+  /// is trimmed.
+  uint64_t vertices = 0;
+  /// Bytes of the header and of the layers' heads in `layers`.
+  uint64_t headerBytes = 0;
+  /// Bytes of the whole stream; known as soon as the header has arrived.
+  uint64_t bytes = 0;
   std::vector<LayerInfo> layers;
 };
 
-/// Appends a stream to `out`; on an error `out` is as it was. A surface without vertices is a valid
-/// stream. Of a volume with a domain, `near` and `preserveTopology` are a BadArgument, and
-/// `adaptive` makes no difference.
+/// Encodes a source as a stream and appends it to `out`. A surface without vertices is a valid
+/// stream. BadArgument: the source or the options violate their contracts; `out` is then unchanged.
 [[nodiscard]] Error encode(const Volume&, const EncodeOptions&, std::vector<std::byte>& out);
 [[nodiscard]] Error encode(const Image&, const EncodeOptions&, std::vector<std::byte>& out);
 [[nodiscard]] Error encode(const Sequence&, const EncodeOptions&, std::vector<std::byte>& out);
 
-/// Reads header and layer heads of a stream or of a prefix of one (then: the layers whose heads
-/// have arrived).
+/// Reads the header and the layers' heads of a stream or of a prefix of one, without decoding. Of a
+/// prefix, `out.layers` has the layers whose heads have arrived. Truncated: the header has not
+/// arrived. NotIsostar, UnsupportedVersion or Corrupt: as in Error. On an error `out` is unchanged.
 [[nodiscard]] Error inspect(std::span<const std::byte>, StreamInfo& out);
 
-/// The source's own surface, as encode() sees it.
+/// The surface of the source itself, as encode() sees it: the reference for distances, and what a
+/// lossless stream decodes to. BadArgument: the source violates its contract, the isovalue is not
+/// finite or, for a Sequence, options.time is outside 0 … frames - 1. OverLimit: more vertices than
+/// 32-bit indices can count. On an error the contents of `out` are unspecified.
 [[nodiscard]] Error polygonize(const Volume&, double isovalue, const MeshOptions&, Mesh& out);
 [[nodiscard]] Error polygonize(const Image&, double isovalue, const MeshOptions&, Contours& out);
 [[nodiscard]] Error polygonize(const Sequence&, double isovalue, const MeshOptions&, Mesh& out);
 
-/// A stream, a layer at a time, as its bytes arrive in pieces of any size. Any bytes are safe to
-/// give.
+/// Decodes a stream layer by layer while its bytes arrive in pieces of any size. Any bytes are safe
+/// to give it (untrusted input).
+///
+/// Call accept() as bytes arrive, then advance() until it returns false; mesh() or contours() may
+/// be called at any time in between. Call finish() when no more bytes will come. A decoder must not
+/// be used by two threads at the same time. A moved-from decoder may only be destroyed or assigned
+/// to.
 class Decoder {
  public:
   explicit Decoder(const Limits& = {});
@@ -200,33 +265,41 @@ class Decoder {
   Decoder(Decoder&&) noexcept;
   Decoder& operator=(Decoder&&) noexcept;
 
-  /// Copies. Never fails: more than Limits::memory becomes error(). Bytes past the stream's end,
-  /// after an error or after finish() are not taken.
+  /// Copies the next bytes of the stream. If they exceed Limits::memory, error() becomes OverLimit.
+  /// Bytes past the stream's end, after an error, or after finish() are ignored.
   void accept(std::span<const std::byte>);
-  void finish();  // no more bytes will come: advance() then shows what a torn layer still tells
-  /// Decodes one more layer. True: mesh() would show a better surface. False: feed more, or all is
-  /// shown, or see error().
+  /// States that no more bytes will come: advance() then decodes what it can of a torn layer.
+  void finish();
+  /// Decodes at most one more layer. True: mesh() and contours() would show a better surface.
+  /// False: more bytes are needed, all is decoded (isFinal()), or there is an error().
   [[nodiscard]] bool advance();
-  /// The first error stays; Truncated only after finish(). advance() is false from then on; mesh()
-  /// still shows what was sound.
+  /// The first error, which stays; Truncated occurs only after finish(). After an error advance()
+  /// returns false, and mesh() and contours() still show what was sound.
   [[nodiscard]] Error error() const;
 
-  [[nodiscard]] bool ready() const;  // the header has arrived, and this build reads such streams; a
-                                     // surface, maybe empty, can be made
-  [[nodiscard]] const StreamInfo& info()
-      const;                        // header as far as it has arrived; layers so far decoded
-  [[nodiscard]] int level() const;  // the octave that mesh() shows, -1 before the first
-  [[nodiscard]] int levels()
-      const;  // how many octaves the stream has, 0 before its header has arrived
-  [[nodiscard]] uint64_t bytes() const;   // length of the prefix that mesh() shows
-  [[nodiscard]] double rmsError() const;  // of the last complete layer, grid steps
-  [[nodiscard]] bool isFinal() const;     // all layers are decoded
+  /// Has the header arrived, and does this build read such streams? Then mesh() or contours() can
+  /// be called; before the base is decoded they give an empty surface.
+  [[nodiscard]] bool ready() const;
+  /// The header, once it has arrived, and the layers decoded so far.
+  [[nodiscard]] const StreamInfo& info() const;
+  /// The refinement level of the decoded surface; -1 before the base is decoded.
+  [[nodiscard]] int level() const;
+  /// How many refinement levels the stream has; 0 before its header has arrived.
+  [[nodiscard]] int levels() const;
+  /// The length of the prefix of the stream that is decoded, in bytes.
+  [[nodiscard]] uint64_t bytes() const;
+  /// LayerInfo::error of the last whole layer that is decoded; 0 before the first.
+  [[nodiscard]] double rmsError() const;
+  /// Are all layers of the stream decoded?
+  [[nodiscard]] bool isFinal() const;
 
-  /// Of a volume or of a sequence. Truncated: no header has arrived. OverLimit: it would take more
-  /// than the limits. BadArgument: the stream is an image's, or has no such time or isovalue.
+  /// The decoded surface of a volume or of a sequence. Truncated: not ready(). OverLimit: it would
+  /// exceed the Limits. BadArgument: the stream is an image's, options.time is outside its frames,
+  /// or options.isovalue outside the range of its isovalues. On an error `out` is empty. Does not
+  /// change error().
   [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out) const;
-  /// Of an image: marching squares (`cubes`), or one segment per crossing triangle (`tetrahedra`).
-  /// BadArgument: the stream is none, or has no such isovalue.
+  /// The decoded contours of an image. BadArgument: the stream is not an image's, or
+  /// options.isovalue is outside the range of its isovalues. Otherwise as mesh().
   [[nodiscard]] Error contours(const MeshOptions&, Contours& out) const;
 
  private:

@@ -1,4 +1,4 @@
-// Adapting a mesh of the RBMT to a criterion (§4.3): top down by splits, bottom up by welds.
+// Adapts a mesh of the RBMT to a criterion (§4.3): top down by splits, bottom up by welds.
 #pragma once
 
 #include "bisection/leaves.h"
@@ -6,11 +6,11 @@
 namespace isostar {
 
 // A criterion is a function `bool keeps(const TaggedSimplex<D>&)`: may the simplex be a leaf? It is
-// asked of simplices with vertices of the hierarchy, of any level but the finest, whose simplices
-// every criterion keeps.
+// called for simplices of any depth with vertices that the hierarchy holds, except the deepest
+// ones, which every criterion must keep.
 
-/// Splits until keeps() keeps every leaf. Each simplex is asked at most once, and only while it is
-/// a leaf.
+/// Splits until keeps() is true of every leaf. Calls it at most once for each simplex, and only
+/// while the simplex is a leaf.
 template <int D, class Keeps>
 void refine(Rbmt<D>& mesh, Keeps keeps) {
   const auto& hierarchy = mesh.hierarchy();
@@ -34,9 +34,9 @@ void refine(Rbmt<D>& mesh, Keeps keeps) {
   }
 }
 
-/// Welds what allows(const Diamond<D>&) allows, finest level first, local welds only: it is asked
-/// once of each diamond that can be welded when its level's turn comes, of the mesh as it then is.
-/// Welds it does right after a "yes".
+/// Welds the diamonds for which allows(const Diamond<D>&) is true, deepest first, local welds only.
+/// It is called once for each diamond that can be welded when its depth is processed, with the mesh
+/// in its state at that moment. The weld follows at once.
 template <int D, class Allows>
 void coarsen(Rbmt<D>& mesh, Allows allows) {
   typename Rbmt<D>::Vertices removed;
@@ -47,7 +47,8 @@ void coarsen(Rbmt<D>& mesh, Allows allows) {
   }
 }
 
-/// What coarsen() asks where a criterion decides: are all simplices that the weld brings back kept?
+/// The function for coarsen() that follows from a criterion: does it keep all simplices that the
+/// weld restores?
 template <int D, class Keeps>
 auto allKept(const Hierarchy<D>& hierarchy, Keeps keeps) {
   return [&hierarchy, keeps](const Diamond<D>& d) {

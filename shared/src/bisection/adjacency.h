@@ -1,5 +1,4 @@
-// Which simplex lies behind a face, and which one was bisected into this one (§4.3): in closed
-// form, integers only.
+// The neighbour of a simplex across a face, and its parent (§4.3), in closed form and in integers.
 #pragma once
 
 #include <optional>
@@ -8,21 +7,21 @@
 
 namespace isostar {
 
-/// A simplex behind a face, and which of its vertices is not of the face.
+/// A neighbour across a face. `newVertex`: the index of its vertex that is not on the face.
 template <int D>
 struct Adjacent {
   TaggedSimplex<D> simplex;
   int newVertex;
 };
 
-/// The simplex of the same level on the other side of the face opposite vertex i; nothing where the
+/// The simplex of the same depth on the other side of the face opposite vertex i; nothing where the
 /// box ends.
 template <int D>
 std::optional<Adjacent<D>> across(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s, int i) {
   Adjacent<D> other{s, i};
   auto& v = other.simplex.vertices;
   const int path = s.tag;
-  // x + y - z: the fourth corner of a parallelogram, or a mirror image where x and y are one.
+  // x + y - z: the fourth corner of a parallelogram, or the mirror image of z if x equals y.
   const auto corner = [](const Coordinates<D>& x, const Coordinates<D>& y,
                          const Coordinates<D>& z) {
     Coordinates<D> w;
@@ -31,17 +30,18 @@ std::optional<Adjacent<D>> across(const Hierarchy<D>& hierarchy, const TaggedSim
   };
   const auto centre = [&](int j) { return j == path ? s.middle() : s.vertices[j]; };
   other.simplex.mirrored = !s.mirrored;
-  if (i > path) {  // outwards on two axes in the other order, or on the last one to the other side
+  // Outwards on two axes in the other order, or on the last one to the other side.
+  if (i > path) {
     v[i] = corner(centre(i - 1), i < D ? v[i + 1] : centre(i - 1), v[i]);
   } else if (i > 0 && i < path) {  // two steps of the path in the other order
     v[i] = corner(v[i - 1], v[i + 1], v[i]);
-  } else if (path == D) {  // the cell behind
+  } else if (path == D) {  // the neighbouring cell
     const auto& next = v[i == 0 ? 1 : D - 1];
     v[i] = corner(next, next, v[i]);
   } else {
-    // The rest of the path lies in two sides of the cube around vertex path + 1. In the other one
-    // it goes on along that vertex's axis, before or behind, so that it leads from an even corner
-    // to an odd one.
+    // The rest of the path lies in two sides of the cube around vertex path + 1. In the other side
+    // it continues along that vertex's axis, at its beginning or at its end, so that it leads from
+    // an even corner to an odd one.
     const auto m = s.middle(), &out = s.vertices[path + 1];
     int axis = 0;
     while (m[axis] == out[axis]) ++axis;
@@ -62,20 +62,21 @@ std::optional<Adjacent<D>> across(const Hierarchy<D>& hierarchy, const TaggedSim
   return other;
 }
 
-/// The index of the vertex that the last bisection brought; of a simplex that is not of the base.
+/// The index of the vertex that the last bisection created. The simplex must not be of the base.
 template <int D>
 int newest(const TaggedSimplex<D>& s) {
   return s.tag == D ? 1 : s.tag + 1;
 }
 
-/// What was bisected into the simplex, which is not of the base.
+/// The simplex whose bisection created this one, which must not be of the base.
 template <int D>
 TaggedSimplex<D> parent(const TaggedSimplex<D>& s) {
   TaggedSimplex<D> p = s;
   p.tag = newest(s);
   --p.depth;
   const auto &m = s.vertices[p.tag], &first = s.vertices[0], &last = s.vertices[p.tag - 1];
-  // The axis that the path has lost: on which side its rest lies tells the half.
+  // The axis that the path has lost. The side on which the rest lies says which half the simplex
+  // is.
   int axis = 0;
   while (m[axis] == first[axis] || last[axis] != first[axis]) ++axis;
   const bool even = first[axis] / (2 * (m[axis] - first[axis])) % 2 == 0;

@@ -1,5 +1,5 @@
-// Criteria of adaptive decomposition (§4.3): how far a leaf moves the isosurface, and how much it
-// turns its normals.
+// Criteria for adaptive meshes (§4.3): how far a leaf moves the isosurface, and by how much it
+// turns the surface's normals.
 #pragma once
 
 #include <limits>
@@ -9,12 +9,13 @@
 
 namespace isostar {
 
-// Fields are functions of samples of the box: double field(const Coordinates<D>& position),
-// positive where above 0. `values` are the scalars that the mesh's vertices have, `source` those of
-// all samples, `signs` the source's signs. Criteria keep references to all of them.
+// Fields are functions of the box's samples, double field(const Coordinates<D>& position), less the
+// isovalue: positive where above 0. `values` are the scalars that the mesh's vertices have,
+// `source` those of all samples, `signs` the source's signs. Criteria keep references to their
+// arguments, which must outlive them.
 
-/// Calls visit(simplex) for the finest simplices below one, except below those that enter(simplex)
-/// shuts out.
+/// Calls visit(simplex) for the deepest simplices below one, itself included, but not for those
+/// below a simplex for which enter(simplex) is false.
 template <int D, class Enter, class Visit>
 void forEachFinestBelow(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s,
                         const Enter& enter, const Visit& visit) {
@@ -26,10 +27,10 @@ void forEachFinestBelow(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s
   for (const auto& half : s.halves()) forEachFinestBelow(hierarchy, half, enter, visit);
 }
 
-/// Keeps a simplex whose linear function has the isosurface within a distance of the source's, both
-/// ways and to first order: where the source's crosses an edge of the finest simplices inside, the
-/// linear function is off by its value over its gradient; where the linear function's crosses one,
-/// the source is off by its value over the gradient there.
+/// Keeps a simplex if the isosurface of its linear function is within a distance of the source's,
+/// in both directions and to first order. Where the source's crosses an edge of the deepest
+/// simplices inside, the linear function is off by its value over its gradient. Where the linear
+/// function's crosses one, the source is off by its value over the gradient there.
 template <int D, class Values, class Source>
 class DistanceBound {
  public:
@@ -40,7 +41,7 @@ class DistanceBound {
 
   bool operator()(const TaggedSimplex<D>& s) const { return distance(s) <= bound_; }
 
-  /// In grid steps; infinite where a gradient vanishes. Beyond the bound it stops looking for more.
+  /// In grid steps; infinite where a gradient vanishes. Once above the bound, it stops searching.
   [[nodiscard]] double distance(const TaggedSimplex<D>& s) const {
     if (!valuesCross(s) && !mayCross(*signs_, *hierarchy_, s)) return 0;
     const LinearFunction<D> linear(
@@ -76,7 +77,7 @@ class DistanceBound {
     return corners;
   }
 
-  /// On the edges of a finest simplex.
+  /// The distance on the edges of one of the deepest simplices.
   [[nodiscard]] double distance(const TaggedSimplex<D>& finest,
                                 const LinearFunction<D>& linear) const {
     const auto here = at(finest, linear);
@@ -97,8 +98,8 @@ class DistanceBound {
     return farthest;
   }
 
-  /// How far the other function's zero is, where the one with values a, b on an edge's ends has its
-  /// own.
+  /// How far the zero of the other function is from that of the function with values a and b at an
+  /// edge's ends; 0 if the latter has none on the edge.
   static double offAtCrossing(double a, double b, double otherA, double otherB, double steepness) {
     if ((a > 0) == (b > 0)) return 0;
     const double off = std::abs(otherA + (otherB - otherA) * (a / (a - b)));
@@ -113,9 +114,10 @@ class DistanceBound {
   double bound_;
 };
 
-/// Keeps a simplex whose normal, the gradient of its linear function, is within an angle of those
-/// of all finest simplices inside that the source's isosurface crosses: refined where the surface
-/// bends. One that the surface enters between its vertices is refused.
+/// Keeps a simplex whose normal, the gradient of its linear function, is within an angle of the
+/// normals of all deepest simplices inside that the source's isosurface crosses: the mesh is
+/// refined where the surface bends. A simplex that the surface enters between its vertices is not
+/// kept.
 template <int D, class Values, class Source>
 class NormalBound {
  public:
@@ -126,8 +128,8 @@ class NormalBound {
 
   bool operator()(const TaggedSimplex<D>& s) const { return deviation(s) <= angle_; }
 
-  /// In radians; infinite where the surface is missed, π where a gradient vanishes. Beyond the
-  /// bound it stops looking for more.
+  /// In radians; infinite where the surface is missed, π where a gradient vanishes. Once above the
+  /// bound, it stops searching.
   [[nodiscard]] double deviation(const TaggedSimplex<D>& s) const {
     if (!mayCross(*signs_, *hierarchy_, s)) return 0;
     const bool seen = crosses(*signs_, *hierarchy_, s);

@@ -1,5 +1,5 @@
-// The diamonds of the RBMT (§4.2, §4.3) in closed form: which vertex splits which edge, after and
-// before which others.
+// The diamonds of the RBMT (§4.2, §4.3) in closed form: which vertex splits which edge, and which
+// vertices must come before it.
 #pragma once
 
 #include <algorithm>
@@ -10,24 +10,26 @@
 
 namespace isostar {
 
-/// All simplices around one refinement edge, named by the vertex in the edge's middle, whose
-/// arrival splits them.
+/// All simplices around one refinement edge, named by the vertex in the edge's middle, which splits
+/// them when it is added. Coordinates are in steps of the finest level.
 template <int D>
 struct Diamond {
   Coordinates<D> vertex{};
-  int32_t half =
-      1;  // from the vertex to either end of the edge, on each axis that the edge runs along
-  unsigned newAxes = 0;  // bit a: the edge runs along axis a, the vertex is fresh there
-  int depth = 0;         // of the simplices that the split makes: bisections since the base
+  /// Distance from the vertex to either end of the edge on each axis along which the edge runs.
+  int32_t half = 1;
+  unsigned newAxes = 0;  // bit a: the edge runs along axis a
+  int depth = 0;         // of the simplices that the split creates
 
+  /// Does the edge run along an axis?
   [[nodiscard]] bool along(int axis) const { return (newAxes >> axis & 1) != 0; }
+  /// How many axes the edge runs along.
   [[nodiscard]] int axes() const {
     int count = 0;
     for (int a = 0; a < D; ++a) count += along(a);
     return count;
   }
-  /// The end whose planes are even in steps of the edge's octave; cells mirror each other, so the
-  /// diagonals meet there.
+  /// The end whose planes are even in the edge's own level. Cells mirror each other, so diagonals
+  /// meet in even corners.
   [[nodiscard]] Coordinates<D> evenEnd() const {
     Coordinates<D> end = vertex;
     for (int a = 0; a < D; ++a) {
@@ -35,6 +37,7 @@ struct Diamond {
     }
     return end;
   }
+  /// The other end.
   [[nodiscard]] Coordinates<D> oddEnd() const {
     Coordinates<D> end = evenEnd();
     for (int a = 0; a < D; ++a) end[a] = 2 * vertex[a] - end[a];
@@ -42,49 +45,54 @@ struct Diamond {
   }
 };
 
-/// The vertices that meshes of a box may have, in finest steps, and which of them wait for which.
+/// The vertices that meshes of a box may have, in steps of the finest level, and which of them
+/// depend on which.
 ///
 /// The lattice is padded to whole cells of the base. A vertex beyond the box's end lies *at* the
-/// end (`position`), so that the hierarchy is as regular as an endless one; simplices that are flat
-/// there are no simplices of the box, and a vertex around which all are flat does not exist
+/// end (`position`), so that the hierarchy is as regular as an infinite one. Simplices that are
+/// flat there are no simplices of the box, and a vertex around which all are flat does not exist
 /// (`holds`).
 template <int D>
 class Hierarchy {
  public:
-  using Vertex = Coordinates<D>;  // in finest steps
+  using Vertex = Coordinates<D>;  // in steps of the finest level
 
   Hierarchy() = default;
-  /// A box with samples 0 … lastSample; `octaves` is how often cells of the base are halved, at
-  /// most 20, and less than 2³⁰ planes are padded. A box without extent on some axis has no
-  /// simplices.
+  /// A box with samples 0 … lastSample. `finestLevel`: how often cells of the base are halved, at
+  /// most 20; the padded lattice must have fewer than 2³⁰ planes on each axis. A box without extent
+  /// on some axis has no simplices.
   Hierarchy(const Coordinates<D>& lastSample, int finestLevel)
       : box_(lastSample),
         finestLevel_(finestLevel),
         padded_(std::any_of(box_.begin(), box_.end(),
                             [&](int32_t last) { return last % baseStep() != 0; })) {}
 
+  /// The last sample on each axis.
   [[nodiscard]] const Coordinates<D>& box() const { return box_; }
+  /// The number of refinement levels above the base.
   [[nodiscard]] int finestLevel() const { return finestLevel_; }
+  /// The depth of simplices of the finest level.
   [[nodiscard]] int maxDepth() const { return D * finestLevel_; }
+  /// The side of a cell of the base.
   [[nodiscard]] int32_t baseStep() const { return int32_t{1} << finestLevel_; }
-  /// Cells of the base on an axis.
+  /// The number of cells of the base along an axis.
   [[nodiscard]] int32_t baseCells(int axis) const {
     return (box_[axis] + baseStep() - 1) / baseStep();
   }
-  /// All coordinates that a vertex may have.
+  /// The lattice of all coordinates that a vertex may have.
   [[nodiscard]] Lattice<D> paddedLattice() const {
     Coordinates<D> last;
     for (int a = 0; a < D; ++a) last[a] = baseCells(a) * baseStep();
     return Lattice<D>(last, 1);
   }
 
-  /// The sample that the vertex lies at.
+  /// The sample at which the vertex lies.
   [[nodiscard]] Coordinates<D> position(Coordinates<D> v) const {
     for (int a = 0; a < D; ++a) v[a] = std::min(v[a], box_[a]);
     return v;
   }
-  /// Is a simplex with these vertices flat, beyond the box's end on some axis? Otherwise its volume
-  /// is positive.
+  /// Is a simplex with these vertices flat because it lies beyond the box's end on some axis? All
+  /// others have a positive volume.
   template <class Vertices>
   [[nodiscard]] bool flat(const Vertices& vertices) const {
     if (!padded_) return false;
@@ -96,10 +104,11 @@ class Hierarchy {
     return false;
   }
 
+  /// Is the vertex one of the base's?
   [[nodiscard]] bool isBase(const Coordinates<D>& v) const {
     return (bits(v) & (baseStep() - 1)) == 0;
   }
-  /// The diamond of a vertex that is not of the base.
+  /// The diamond of a vertex, which must not be of the base.
   [[nodiscard]] Diamond<D> diamond(const Coordinates<D>& v) const {
     const int32_t all = bits(v);
     Diamond<D> d{v, all & -all, 0, 0};
@@ -108,7 +117,7 @@ class Hierarchy {
     d.depth += D - d.axes() + 1;
     return d;
   }
-  /// Does a mesh of the box have simplices around the vertex? Coordinates are not negative.
+  /// Can a mesh of the box have simplices around the vertex? Coordinates must not be negative.
   [[nodiscard]] bool holds(const Coordinates<D>& v) const {
     const int32_t half = isBase(v) ? baseStep() : bits(v) & -bits(v);
     for (int a = 0; a < D; ++a) {
@@ -117,9 +126,10 @@ class Hierarchy {
     return true;
   }
 
-  /// The newest vertex of each of the diamond's simplices, each one level coarser than the diamond:
-  /// with them the edge and all simplices around it are there. D of a cell's centre, else 2 for
-  /// each axis that the edge is across.
+  /// Calls visit(vertex) for the newest vertex of each of the diamond's simplices. Their depth is
+  /// one less than the diamond's. If they are in a mesh, so are the edge and all simplices around
+  /// it. There are D of them for a cell's centre, else 2 for each axis that the edge does not run
+  /// along.
   template <class Visit>
   void forEachParent(const Diamond<D>& d, Visit&& visit) const {
     if (d.axes() == D) {
@@ -138,8 +148,9 @@ class Hierarchy {
     }
   }
 
-  /// The vertices whose parent this one is, each one level finer: 2 for each axis that the edge
-  /// runs along, 2^D of the next octave where it is one axis only.
+  /// Calls visit(vertex) for the vertices that have this one as a parent. Their depth is one more
+  /// than the diamond's. There are 2 for each axis along which the edge runs, and 2^D on the next
+  /// level where that is one axis only.
   template <class Visit>
   void forEachChild(const Diamond<D>& d, Visit&& visit) const {
     if (d.axes() == 1) return forEachChildOfNextLevel(d, visit);

@@ -1,4 +1,4 @@
-// A set of leaves of one mesh.
+// A set of leaves of one mesh, as a hash table.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace isostar {
 
-/// Told apart by the sums of their vertices: these are inside, and the insides of leaves are
-/// disjoint.
+/// Leaves are identified by the sum of their vertices: a multiple of their centroids, which differ
+/// because the insides of leaves are disjoint.
 template <int D>
 class LeafSet {
  public:
   [[nodiscard]] bool has(const TaggedSimplex<D>& leaf) const {
     return !slots_.empty() && slots_[find(sum(leaf))] != kEmpty;
   }
-  /// False if it was there.
+  /// Adds a leaf. False if the set had it already.
   bool insert(const TaggedSimplex<D>& leaf) {
     if (2 * (size_ + 1) > slots_.size()) grow();
     const Sum key = sum(leaf);
@@ -29,8 +29,8 @@ class LeafSet {
 
  private:
   using Sum = std::array<uint32_t, D>;
-  static constexpr Sum
-      kEmpty{};  // no leaf's: its vertices differ on every axis and are not negative
+  /// No leaf has this sum: its vertices differ on every axis and are not negative.
+  static constexpr Sum kEmpty{};
 
   static Sum sum(const TaggedSimplex<D>& leaf) {
     Sum total{};
@@ -54,7 +54,7 @@ class LeafSet {
     }
   }
 
-  std::vector<Sum> slots_;  // a power of two of them, half empty
+  std::vector<Sum> slots_;  // their number is a power of two; at least half are empty
   std::size_t size_ = 0;
 };
 

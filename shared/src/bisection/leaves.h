@@ -1,12 +1,12 @@
-// The simplices of a mesh of the RBMT, by recursion from the base: none is ever stored.
+// The leaves of a mesh of the RBMT, found by recursion from the base: simplices are never stored.
 #pragma once
 
 #include "bisection/rbmt.h"
 
 namespace isostar {
 
-/// Calls visit(leaf) for the leaves below a simplex, itself if it is one. enter(simplex) tells of
-/// each simplex on the way whether to look into it.
+/// Calls visit(leaf) for the leaves below a simplex; for the simplex itself if it is a leaf.
+/// enter(simplex) says for each simplex on the way whether to descend into it.
 template <int D, class Enter, class Visit>
 void forEachLeafBelow(const Rbmt<D>& mesh, const TaggedSimplex<D>& s, Enter& enter, Visit& visit) {
   if (mesh.hierarchy().flat(s.vertices) || !enter(s)) return;
@@ -17,7 +17,7 @@ void forEachLeafBelow(const Rbmt<D>& mesh, const TaggedSimplex<D>& s, Enter& ent
   for (const auto& half : s.halves()) forEachLeafBelow(mesh, half, enter, visit);
 }
 
-/// Calls visit(cell) for the cells of the base between two corners.
+/// Calls visit(cell) for the cells of the base from `first` to below `end` on each axis.
 template <int D, class Visit>
 void forEachBaseCell(const Coordinates<D>& first, const Coordinates<D>& end, Visit&& visit) {
   for (int a = 0; a < D; ++a) {
@@ -31,8 +31,8 @@ void forEachBaseCell(const Coordinates<D>& first, const Coordinates<D>& end, Vis
   }
 }
 
-/// The mesh's leaves, or those that enter(simplex), asked on the way from the base, does not shut
-/// out.
+/// Calls visit(leaf) for the mesh's leaves, except those below a simplex for which enter(simplex)
+/// is false.
 template <int D, class Enter, class Visit>
 void forEachLeaf(const Rbmt<D>& mesh, Enter enter, Visit visit) {
   Coordinates<D> end;
@@ -48,7 +48,7 @@ void forEachLeaf(const Rbmt<D>& mesh, Visit visit) {
       mesh, [](const TaggedSimplex<D>&) { return true; }, visit);
 }
 
-/// The star of a vertex of the mesh: the leaves that have it.
+/// Calls visit(leaf) for the star of a vertex of the mesh: the leaves that have it as a vertex.
 template <int D, class Visit>
 void forEachLeafAround(const Rbmt<D>& mesh, const typename Hierarchy<D>::Vertex& v, Visit visit) {
   const auto& hierarchy = mesh.hierarchy();
@@ -70,8 +70,8 @@ void forEachLeafAround(const Rbmt<D>& mesh, const typename Hierarchy<D>::Vertex&
       first, end, [&](const Coordinates<D>& cell) { forEachBaseSimplex(hierarchy, cell, look); });
 }
 
-/// Which signs the samples of a brick between two corners (inclusive) have: bit 0 negative, bit 1
-/// positive.
+/// Which signs the samples of a brick between two corners (inclusive, in the brick's coordinates 0
+/// … 7) have: bit 0 negative, bit 1 positive.
 template <int D>
 unsigned signsBetween(const Brick<D>& brick, const typename Hierarchy<D>::Vertex& lowest,
                       const typename Hierarchy<D>::Vertex& highest) {
@@ -88,7 +88,7 @@ unsigned signsBetween(const Brick<D>& brick, const typename Hierarchy<D>::Vertex
   }
 }
 
-/// Have the samples between two corners (inclusive, in the box) both signs?
+/// Do the samples between two corners (inclusive, in the box) have both signs?
 template <int D>
 bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& lowest,
                     const typename Hierarchy<D>::Vertex& highest) {
@@ -99,7 +99,7 @@ bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& 
   }
   unsigned seen = 0;
   for (auto at = first;;) {
-    const uint32_t index = signs.index(signs.table().index(at));
+    const uint32_t index = signs.slot(signs.table().index(at));
     if (index <= Signs<D>::kPositive) {
       seen |= 1u << index;
     } else {
@@ -117,14 +117,14 @@ bool crossesBetween(const Signs<D>& signs, const typename Hierarchy<D>::Vertex& 
   }
 }
 
-/// May samples of a simplex have both signs, those of the box around it? Signs are those of the
-/// box's samples.
+/// May samples inside a simplex have both signs? Tests the axis-aligned box around it. `signs`:
+/// those of the box's samples.
 template <int D>
 bool mayCross(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
   return crossesBetween(signs, hierarchy.position(s.lowest()), hierarchy.position(s.highest()));
 }
 
-/// Has the simplex vertices of both signs?
+/// Does the simplex have vertices of both signs?
 template <int D>
 bool crosses(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
   const bool first = signs.at(hierarchy.position(s.vertices[0]));
@@ -133,7 +133,8 @@ bool crosses(const Signs<D>& signs, const Hierarchy<D>& hierarchy, const TaggedS
   });
 }
 
-/// The tube (§3): leaves with vertices of both signs. Signs are those of the box's samples.
+/// Calls visit(leaf) for the tube (§3): the leaves with vertices of both signs. `signs`: those of
+/// the box's samples.
 template <int D, class Visit>
 void forEachCrossingLeaf(const Rbmt<D>& mesh, const Signs<D>& signs, Visit visit) {
   const auto& hierarchy = mesh.hierarchy();

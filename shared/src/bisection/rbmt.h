@@ -1,5 +1,5 @@
-// A mesh of the regular binary multi-triangulation (§4.2, §4.3): splits, welds and the non-local
-// transitions they need.
+// A mesh of the regular binary multi-triangulation (§4.2, §4.3), with splits, welds and the
+// non-local transitions that they need.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 
 namespace isostar {
 
-/// A conforming mesh whose adjacent simplices differ by one level at most. It *is* a set of
-/// vertices that holds the parents of each of its vertices: a simplex is split where the set has
+/// A conforming mesh; the depths of adjacent simplices differ by at most one. It is stored as a set
+/// of vertices that contains the parents of each of its vertices: a simplex is split if the set has
 /// the middle of its refinement edge.
 ///
-/// Vertices are in finest steps, must not be negative nor beyond the padded lattice, and are asked
-/// for as the hierarchy names them; those that it does not hold (around which the box has no
-/// simplices) are in no set.
+/// Vertices are in steps of the finest level. Arguments must not be negative nor beyond the padded
+/// lattice, and must use the hierarchy's names for vertices. Vertices that the hierarchy does not
+/// hold (the box has no simplices around them) are in no mesh.
 template <int D>
 class Rbmt {
  public:
@@ -26,7 +26,7 @@ class Rbmt {
   /// The base mesh (T⁰ of the paper).
   explicit Rbmt(const Hierarchy<D>& hierarchy)
       : hierarchy_(hierarchy), bits_(hierarchy.paddedLattice()) {}
-  /// The full mesh: all vertices of all octaves.
+  /// The full mesh: all vertices of all levels.
   [[nodiscard]] static Rbmt full(const Hierarchy<D>& hierarchy) {
     Rbmt mesh(hierarchy);
     mesh.bits_.fill(Signs<D>::kPositive);
@@ -34,17 +34,18 @@ class Rbmt {
   }
 
   [[nodiscard]] const Hierarchy<D>& hierarchy() const { return hierarchy_; }
+  /// Is the vertex in the mesh?
   [[nodiscard]] bool contains(const Coordinates<D>& v) const {
     return hierarchy_.holds(v) && (hierarchy_.isBase(v) || bits_.at(v));
   }
-  /// Has a simplex that is or was of the mesh been split?
+  /// Is a simplex, which is or was a leaf of the mesh, split?
   [[nodiscard]] bool splits(const TaggedSimplex<D>& s) const {
     return s.depth < hierarchy_.maxDepth() && bits_.at(s.middle());
   }
   /// Bytes in use.
   [[nodiscard]] std::size_t memory() const { return bits_.memory(); }
 
-  /// Is the split of v's diamond a local transition, all parents being there?
+  /// Is the split of v's diamond a local transition? It is if all of v's parents are in the mesh.
   [[nodiscard]] bool canSplit(const Coordinates<D>& v) const {
     if (!splittable(v)) return false;
     bool ready = true;
@@ -52,8 +53,9 @@ class Rbmt {
                              [&](const Coordinates<D>& p) { ready = ready && contains(p); });
     return ready;
   }
-  /// The least set of vertices that must arrive for v to be there, itself included and last, in an
-  /// order in which each is a local split. Empty if v is there, or nowhere.
+  /// The smallest set of vertices that must be added for v to be in the mesh, v included and last,
+  /// in an order in which each is a local split. Empty if v is in the mesh already or cannot be in
+  /// any.
   void missing(const Coordinates<D>& v, Vertices& out) const {
     out.clear();
     if (!splittable(v)) return;
@@ -63,13 +65,14 @@ class Rbmt {
       });
     });
   }
-  /// Splits v's diamond and before it what `missing` says, which `added` tells.
+  /// Splits v's diamond, after all that missing() lists. `added` receives the new vertices in
+  /// order.
   void split(const Coordinates<D>& v, Vertices& added) {
     missing(v, added);
     for (const auto& u : added) bits_.set(u, true);
   }
 
-  /// Is the weld of v a local transition, none of its children being there?
+  /// Is the weld of v a local transition? It is if none of v's children is in the mesh.
   [[nodiscard]] bool canWeld(const Coordinates<D>& v) const {
     if (!weldable(v)) return false;
     bool ready = true;
@@ -77,8 +80,8 @@ class Rbmt {
                             [&](const Coordinates<D>& c) { ready = ready && !bits_.at(c); });
     return ready;
   }
-  /// The least set of vertices that must go for v to go, itself included and last, in an order in
-  /// which each is a local weld. Empty if v is not there, or is of the base.
+  /// The smallest set of vertices that must be removed for v to be removed, v included and last, in
+  /// an order in which each is a local weld. Empty if v is not in the mesh or is of the base.
   void dependents(const Coordinates<D>& v, Vertices& out) const {
     out.clear();
     if (!weldable(v)) return;
@@ -88,21 +91,22 @@ class Rbmt {
       });
     });
   }
-  /// Welds v's diamond and before it what `dependents` says, which `removed` tells.
+  /// Welds v's diamond, after all that dependents() lists. `removed` receives the removed vertices
+  /// in order.
   void weld(const Coordinates<D>& v, Vertices& removed) {
     dependents(v, removed);
     for (const auto& u : removed) bits_.set(u, false);
   }
 
-  /// Calls visit(vertex) for the vertices of a level (1 … levels) that are in the mesh, in an order
-  /// of their own. The visitor may split and weld; what it adds on this level may be visited or
+  /// Calls visit(vertex) for the mesh's vertices of one depth (1 … maxDepth), in an unspecified
+  /// order. The visitor may split and weld; vertices of this depth that it adds may be visited or
   /// not.
   template <class Visit>
   void forEachVertex(int depth, Visit&& visit) const {
     const int32_t half = int32_t{1} << (hierarchy_.finestLevel() - 1 - (depth - 1) / D);
     const int axes = D - (depth - 1) % D;
     for (std::size_t brickIndex = 0; brickIndex < bits_.table().total(); ++brickIndex) {
-      if (bits_.index(brickIndex) == Signs<D>::kNegative) continue;
+      if (bits_.slot(brickIndex) == Signs<D>::kNegative) continue;
       Coordinates<D> lowest = bits_.table().brick(brickIndex);
       for (int32_t& x : lowest) x *= kBrickSide;
       for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
@@ -120,8 +124,8 @@ class Rbmt {
     return !hierarchy_.isBase(v) && contains(v);
   }
 
-  /// v and all that `next` leads to, generation by generation, the farthest first. A generation is
-  /// one level: none of its vertices can come up again in another.
+  /// v and all vertices that `next` leads to, generation by generation, the furthest one first. A
+  /// generation is one depth: none of its vertices can appear in another.
   template <class Next>
   static void closure(const Coordinates<D>& v, Vertices& out, Next next) {
     out.push_back(v);
@@ -140,8 +144,8 @@ class Rbmt {
     std::reverse(out.begin(), out.end());
   }
 
-  /// The mesh's vertices in a brick that are fresh on these axes, on the octave with planes `half`
-  /// apart.
+  /// Visits the mesh's vertices in a brick that have these new axes, on the level whose planes are
+  /// `half` apart. `lowest`: the brick's first vertex.
   template <class Visit>
   void forEachInBrick(const Coordinates<D>& lowest, int32_t half, unsigned newAxes,
                       Visit& visit) const {

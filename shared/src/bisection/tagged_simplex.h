@@ -1,4 +1,4 @@
-// A simplex of the RBMT at any level (§4.2): bisection by Maubach's tags, integers only.
+// A simplex of the RBMT at any depth (§4.2): bisection by Maubach's tags, in integers.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,18 @@
 
 namespace isostar {
 
-/// The vertices 0 … tag are a path along the axes of a cube's diagonal, from an even to an odd
-/// corner; behind them come the middles of ever larger cubes around it, in reverse order of
-/// arrival. The refinement edge is that diagonal.
+/// Vertices 0 … tag are a path along the axes of a cube, from an even corner to the opposite odd
+/// corner. The refinement edge is that diagonal. The vertices behind them are the centres of ever
+/// larger cubes around it, in reverse order of creation. Coordinates are in steps of the finest
+/// level.
 template <int D>
 struct TaggedSimplex {
   std::array<Coordinates<D>, D + 1> vertices{};
   int tag = D;
-  int depth = 0;          // bisections since the base
-  bool mirrored = false;  // the edges from vertex 0 are a left-handed frame
+  int depth = 0;          // number of bisections since the base
+  bool mirrored = false;  // the edges from vertex 0 form a left-handed frame
 
-  /// The vertex that would split it: names the diamond around its refinement edge.
+  /// The vertex that would split it. It names the diamond around the refinement edge.
   [[nodiscard]] Coordinates<D> middle() const {
     Coordinates<D> m;
     for (int a = 0; a < D; ++a) m[a] = (vertices[0][a] + vertices[tag][a]) / 2;
@@ -39,12 +40,15 @@ struct TaggedSimplex {
     }
     return both;
   }
+  /// Is v one of its vertices?
   [[nodiscard]] bool has(const Coordinates<D>& v) const {
     return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
   }
+  /// The least coordinate of its vertices on each axis.
   [[nodiscard]] Coordinates<D> lowest() const {
     return extreme([](int32_t x, int32_t y) { return std::min(x, y); });
   }
+  /// The greatest coordinate of its vertices on each axis.
   [[nodiscard]] Coordinates<D> highest() const {
     return extreme([](int32_t x, int32_t y) { return std::max(x, y); });
   }
@@ -70,7 +74,7 @@ bool oddOrder(const auto& axes) {
   return odd;
 }
 
-/// Calls visit(TaggedSimplex) for the D! simplices of a cell of the base, flat ones left out.
+/// Calls visit(TaggedSimplex) for the D! simplices of a cell of the base, except flat ones.
 template <int D, class Visit>
 void forEachBaseSimplex(const Hierarchy<D>& hierarchy, const typename Hierarchy<D>::Vertex& cell,
                         Visit&& visit) {
@@ -88,8 +92,9 @@ void forEachBaseSimplex(const Hierarchy<D>& hierarchy, const typename Hierarchy<
 }
 
 /// Calls visit(TaggedSimplex) for every simplex around the diamond's edge, as they are before its
-/// split, flat ones left out; the hierarchy holds the diamond's vertex. With c axes along the edge
-/// there are c! (D-c)! 2^(D-c): each a path along the edge's cube and a way outwards.
+/// split, except flat ones. The hierarchy must hold the diamond's vertex. If the edge runs along c
+/// axes there are c! (D-c)! 2^(D-c) of them: each is a path along the edge's cube and a way
+/// outwards.
 template <int D, class Visit>
 void forEachSimplexOf(const Diamond<D>& d, const Hierarchy<D>& hierarchy, Visit&& visit) {
   const int along = d.axes();

@@ -1,11 +1,12 @@
-// Topology control (§4.3): may a vertex be welded without a change in the isosurface's topology?
+// Topology control (§4.3): does a weld keep the isosurface's topology?
 #pragma once
 
 #include "bisection/leaves.h"
 
 namespace isostar {
 
-/// The vertices of one sign in the link of a diamond's edge, and the simplices between them.
+/// The vertices of one sign in the link of a diamond's edge, and the simplices that they span
+/// there. A simplex is a set of vertices as bits.
 template <int D>
 class LinkPart {
   static_assert(D == 2 || D == 3 || D == 4,
@@ -25,7 +26,7 @@ class LinkPart {
     faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
   }
 
-  /// A point, but for its size: in one piece and without holes.
+  /// Is it connected and without holes?
   [[nodiscard]] bool contractible() const { return eulerCharacteristic() == 1 && connected(); }
 
  private:
@@ -58,9 +59,10 @@ class LinkPart {
   std::vector<uint32_t> faces_;
 };
 
-/// Beyond the box's end in its own edge's direction the vertex lies in the box's boundary though
-/// its edge does not: the weld makes another triangulation of that piece of boundary. It is
-/// harmless where the piece has one sign.
+/// Does a weld keep the topology where the vertex lies beyond the box's end in the direction `axis`
+/// of its own edge? Then the vertex lies in the box's boundary although its edge does not, and the
+/// weld changes the triangulation of that part of the boundary. That is harmless if the part has
+/// one sign.
 template <int D>
 bool endKeepsTopology(const Diamond<D>& d, const Hierarchy<D>& hierarchy, int axis,
                       const auto& positive) {
@@ -73,20 +75,20 @@ bool endKeepsTopology(const Diamond<D>& d, const Hierarchy<D>& hierarchy, int ax
   return same;
 }
 
-/// Is the isosurface in the star of v, which has no children in the mesh, the same after the weld
-/// of v but for a deformation that leaves the star's boundary alone? `positive(vertex)` → bool are
-/// the signs.
+/// Is the isosurface in the star of v after the weld of v the same up to a deformation that leaves
+/// the star's boundary fixed? v must not have children in the mesh. `positive(vertex)` → bool: the
+/// signs.
 ///
-/// Sufficient in any dimension here: the edge is crossed at most once, that is, one of its ends has
-/// v's sign. Where it is crossed twice: exactly if both signs' parts of the edge's link are
-/// contractible. See docs/design.md for why.
+/// Sufficient in the dimensions supported: the edge is crossed at most once, that is, one of its
+/// ends has v's sign. If it is crossed twice, the answer is yes exactly if both signs' parts of the
+/// edge's link are contractible. docs/codec/topology.md explains why.
 template <int D>
 bool weldKeepsTopology(const Hierarchy<D>& hierarchy, const typename Hierarchy<D>::Vertex& v,
                        const auto& positive) {
   const auto d = hierarchy.diamond(v);
   for (int a = 0; a < D; ++a) {
     if (!d.along(a) || v[a] < hierarchy.box()[a]) continue;
-    if (d.axes() == 1) return true;  // v lies where the edge's end does
+    if (d.axes() == 1) return true;  // v coincides with an end of the edge
     if (!endKeepsTopology(d, hierarchy, a, positive)) return false;
   }
   const bool sign = positive(v);

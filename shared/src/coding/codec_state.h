@@ -22,7 +22,48 @@ struct CodecState {
   /// The header outlives it.
   explicit CodecState(const Header& h) : header(h), signs(h.base<D>()), level(0) {}
 
-  template <class Exchange>
+  /// Codes one layer; `pass` where its kind has one.
+  template <CodecExchange<D> Exchange>
+  void code(Exchange& exchange, const LayerHead& head, const GeometryPass<D>& pass = {}) {
+    switch (head.kind) {
+      case LayerKind::Base:
+        return base(exchange);
+      case LayerKind::Refinement:
+        return refine(exchange);
+      case LayerKind::Domain:
+        return codeDomain(exchange);
+      case LayerKind::FurtherSigns:
+        return furtherSigns(exchange, head.level);
+      case LayerKind::FurtherGeometry:
+        return furtherGeometry(exchange, pass);
+      default:
+        return geometry(exchange, pass);
+    }
+  }
+
+  /// Bytes that a layer takes at most to begin with, and those that stay as they are while it is
+  /// decoded.
+  struct Memory {
+    uint64_t needed, settled;
+  };
+  [[nodiscard]] Memory memoryFor(LayerKind layer, LayerKind pass) const {
+    const uint64_t all = memory() + further.memory();
+    switch (layer) {
+      case LayerKind::Refinement:
+        return {memoryToRefine(), memoryBesideScalars()};
+      case LayerKind::FurtherSigns:
+        return {all + further.memoryToBegin(first()),
+                all - further.memoryOfIntervals() + signs.table().total()};
+      case LayerKind::FurtherGeometry:
+        return {all + (pass == LayerKind::Exponents ? further.memoryToCode() : 0), 0};
+      case LayerKind::Displacement:
+        return {memoryForDisplacements(), memory() - displacements.memory() + memoryToFindActive()};
+      default:
+        return {memoryForScalars(), memoryBesideScalars() + memoryToFindActive()};
+    }
+  }
+
+  template <CodecExchange<D> Exchange>
   void base(Exchange& exchange) {
     if (header.keepsTopology && header.finestLevel() > 0) {
       partial.emplace(header.base<D>());
@@ -32,7 +73,7 @@ struct CodecState {
     }
   }
 
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void refine(Exchange& exchange) {
     const SmoothingFilter shown = codeFilter(exchange);
     if (partial) return fill(exchange, shown);
@@ -51,7 +92,7 @@ struct CodecState {
   }
 
   /// Which kernel places the octave's surface best.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   [[nodiscard]] ISOSTAR_COLD SmoothingFilter codeFilter(Exchange& exchange) {
     const SmoothingFilter actual = exchange.filter();
     if (filterModel[0].bit(exchange.coder(), actual == SmoothingFilter::Narrow))
@@ -62,7 +103,7 @@ struct CodecState {
   }
 
   /// The next octave of a mesh that has been welded as far as the topology allows.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void fill(Exchange& exchange, SmoothingFilter shown) {
     partial->mesh.fill(exchange, level + 1);
     if (exchange.exhausted()) return;
@@ -96,7 +137,7 @@ struct CodecState {
   }
 
   /// Where the domain ends, near the finest octave's surface.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void codeDomain(Exchange& exchange) {
     findActive();
     domain = Scalars<D>(active.size());
@@ -104,7 +145,7 @@ struct CodecState {
         .code(exchange, signs, active, header.polygonizer == Polygonizer::Tetrahedra, domain);
   }
 
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void geometry(Exchange& exchange, const GeometryPass<D>& pass) {
     if (active.empty()) findActive();
     if (pass.kind == LayerKind::Displacement) {
@@ -115,7 +156,7 @@ struct CodecState {
     if (scalars.tableSize() == 0) scalars = Scalars<D>(active.size());
     if (pass.kind == LayerKind::Exponents) {
       coded[static_cast<std::size_t>(pass.members)] = true;
-      exponents.code(exchange, signs, scalars, pass.members, pass.depth, active, hints());
+      exponents.code(exchange, signs, scalars, pass.members, pass.exponentRange, active, hints());
     } else {
       magnitudes.code(exchange, signs, scalars, pass.magnitudePass(header.fitted), active);
       magnitudesRefined = magnitudesRefined || !exchange.exhausted();
@@ -123,17 +164,17 @@ struct CodecState {
   }
 
   /// The signs of a further isovalue, by number from 1.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void furtherSigns(Exchange& exchange, int number) {
     const double isovalue = header.furtherIsovalues[static_cast<std::size_t>(number) - 1];
     further.signs(exchange, first(), isovalue, header.shift(isovalue), header.shiftError());
   }
 
   /// Of the isovalue whose signs have been told last.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void furtherGeometry(Exchange& exchange, const GeometryPass<D>& pass) {
     if (pass.kind == LayerKind::Exponents)
-      further.exponents(exchange, pass.members, pass.depth);
+      further.exponents(exchange, pass.members, pass.exponentRange);
     else
       further.magnitudes(exchange, pass.magnitudePass(false));
   }
@@ -160,7 +201,7 @@ struct CodecState {
   /// The same for displacements.
   [[nodiscard]] uint64_t memoryForDisplacements() const {
     return memory() + memoryToFindActive() +
-           (displacements.tableSize() == 0 ? Displacements<D>::memoryToBegin(signs.table().total())
+           (displacements.tableSize() == 0 ? Displacements<D>::memoryOf(signs.table().total(), 1)
                                            : 0);
   }
   [[nodiscard]] uint64_t memoryToFindActive() const {

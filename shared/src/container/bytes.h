@@ -1,5 +1,5 @@
-// Bytes of the container: little-endian, variable-length integers of seven bits a byte; the reader
-// never overruns.
+// The bytes of the container: little-endian integers, and variable-length integers with seven bits
+// a byte.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace isostar {
 
-/// Powers of ten that doubles hold exactly.
+/// Powers of ten that a double represents exactly.
 inline constexpr std::array<double, 8> kTens{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
 
-/// How a real number is told: a whole number of these plus the count of decimal digits behind the
-/// point, or one of the others.
+/// A real number starts with a varint of kRealForms · n + form. Forms 0 … 7 count decimal digits:
+/// the number is n / 10^form. In the other two a float or a double follows.
 inline constexpr uint64_t kRealForms = 10, kSingle = 8, kDouble = 9;
 
 class ByteWriter {
@@ -41,7 +41,7 @@ class ByteWriter {
     u8(v);
   }
   void zigzag(int64_t v) { varint(folded(v)); }
-  /// Any number, exactly: one that a person would write as a short decimal fraction takes few
+  /// Writes any number exactly. A short decimal fraction, such as a person would type, takes few
   /// bytes.
   void real(double v) {
     for (std::size_t digits = 0; digits < kTens.size(); ++digits) {
@@ -61,7 +61,7 @@ class ByteWriter {
   }
 
  private:
-  /// Small numbers of either sign become small ones: 0, -1, 1, -2 …
+  /// Maps 0, -1, 1, -2 … to 0, 1, 2, 3 …, so that small numbers of either sign take few bytes.
   static uint64_t folded(int64_t v) {
     return static_cast<uint64_t>(v) << 1 ^ static_cast<uint64_t>(v >> 63);
   }
@@ -69,7 +69,7 @@ class ByteWriter {
   std::vector<std::byte>& out_;
 };
 
-/// Past the end it reads zeros, and says so.
+/// Reads untrusted input. Beyond the end it returns zeros and sets overrun().
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> in) : in_(in) {}

@@ -6,7 +6,8 @@
 namespace isostar {
 namespace {
 
-/// An isovalue in steps of 1 or of kByteStep; so far away that no sample is there it stays finite.
+/// An isovalue in steps of 1 or of kByteStep. Clamped far beyond any sample, so that the result is
+/// finite.
 double stepsOf(double isovalue, double step) {
   constexpr double kFar = 1e300;
   return step == 1 ? isovalue : std::clamp(isovalue * 255, -kFar, kFar);
@@ -49,7 +50,7 @@ int32_t Header::domainFineness() const {
 }
 
 int32_t Header::domainReach() const {
-  constexpr double kFarthest = 32;  // grid steps; a cell longer than that is cut where it may
+  constexpr double kFarthest = 32;  // grid steps; longer cells are trimmed only up to here
   const auto& s = placement.spacing;
   const double diagonal =
       std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / std::min({s[0], s[1], s[2]});

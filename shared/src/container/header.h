@@ -1,4 +1,4 @@
-// What a stream's header says, and what follows from it.
+// The header of a stream, and the quantities that follow from it.
 #pragma once
 
 #include <vector>
@@ -10,53 +10,54 @@ namespace isostar {
 
 inline constexpr int kLeastDimension = 2, kMostDimension = 4;
 
-/// What a decoder must know before the first layer.
+/// All that a decoder must know before the first layer.
 struct Header {
   int version = kFormatVersion;
   int dimension = 3;      // 2: an image; 3: a volume; 4: a sequence of volumes, time last
-  Coordinates<4> size{};  // of the first `dimension` axes
-  Placement placement;    // of the first three axes; an image's third spacing is its smallest
+  Coordinates<4> size{};  // samples on the first `dimension` axes, 1 on the others
+  Placement placement;  // of the first three axes; for an image the third spacing is the smaller of the other two
   double isovalue = 0;
   std::vector<double>
-      furtherIsovalues;  // further isovalues (§5.4), in the order in which they are told
+      furtherIsovalues;  // §5.4, in coding order
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
-  bool adaptive = false;       // layers are those of an AdaptiveMesh
-  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest topology, each
-                               // refinement fills an octave
-  bool trimmed = false;        // a layer tells where the domain ends
-  bool fitted = false;         // intervals are halved by FitCoder
+  bool adaptive = false;  // the layers are those of an AdaptiveMesh
+  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest level's topology; each refinement fills one level
+  bool trimmed = false;  // there is a Domain layer, which codes where the domain ends
+  bool fitted = false;  // magnitude refinement passes use FitCoder
   double maxError = 0;
-  uint64_t vertices = 0;  // of the complete surface that `cubes` makes
-  /// |sample - isovalue| = (magnitude + offset) · quantum, with an offset for each sign.
+  uint64_t vertices = 0;  // of the complete surface with Polygonizer::Cubes
+  /// |sample - isovalue| = (magnitude + offset) · quantizationStep, with one offset for each sign.
   double quantizationStep = 1;
   double positiveOffset = 0.5, negativeOffset = 0.5;
-  /// Samples are whole numbers of quanta, of 1 or of kByteStep; else a quantum is a power of two.
+  /// Samples are whole numbers of quantization steps, of 1 or of kByteStep. Otherwise the step is a
+  /// power of two.
   bool whole = false;
-  uint64_t bytes = 0;  // of all layers and their heads
+  uint64_t bytes = 0;  // of all layers with their heads
 
-  static constexpr int32_t kMostBaseCells = 4;  // of the base octave on an axis
+  static constexpr int32_t kMostBaseCells = 4;  // of the base level, on an axis
   static constexpr double kByteStep = 1.0 / 255;
   static constexpr std::size_t kMostFurther = 15;
   static constexpr int32_t kFarSteps = (1 << 29) - 1;
 
-  /// Refinements from the base to the source's own grid: as few as the base allows.
+  /// The number of the finest level: as few refinements as the base's size limit allows lead from
+  /// the base to the source's own grid.
   [[nodiscard]] int finestLevel() const;
-  /// Quanta to a grid step in which a domain's distances are told: as fine as the bound asks, 32 at
-  /// most.
+  /// Steps per grid step in which distances to the domain's boundary are coded: 2 … 32, a power of
+  /// two that follows from the bound.
   [[nodiscard]] int32_t domainFineness() const;
-  /// The diagonal of a cell in such quanta: no distance further away matters.
+  /// The diagonal of a cell in these steps. Larger distances do not matter.
   [[nodiscard]] int32_t domainReach() const;
-  /// Offsets of samples that are whole numbers of quanta: the first one above the isovalue is
-  /// positive.
+  /// Sets `whole`, the quantization step and the offsets. The first whole number of steps above the
+  /// isovalue is positive with magnitude 0.
   void countWhole(double step);
-  /// The same stream as seen from another of its isovalues.
+  /// The same stream relative to another of its isovalues.
   [[nodiscard]] Header at(double other) const;
   /// Is an isovalue one of the stream's, or between two of them?
   [[nodiscard]] bool spans(double other) const;
-  /// How many quanta another isovalue lies above the first one; bounded by kFarQuanta.
+  /// How many quantization steps another isovalue lies above the first one, within ±kFarSteps.
   [[nodiscard]] int32_t shift(double other) const;
-  /// By so many quanta a shift may be off: 1/255 is no sum of powers of two.
+  /// By how many steps shift() may be off: 1/255 is no sum of powers of two.
   [[nodiscard]] int32_t shiftError() const { return whole && quantizationStep == 1 ? 0 : 1; }
 
   template <int D>
@@ -72,7 +73,7 @@ struct Header {
 [[nodiscard]] Header headerOf(const Volume& volume);
 [[nodiscard]] Header headerOf(const Sequence& sequence);
 
-/// Finite, and with an inverse; far from where single precision ends.
+/// Finite, with an inverse, and well within the range of single precision.
 [[nodiscard]] bool invertible(const Placement& placement);
 
 }  // namespace isostar

@@ -9,11 +9,11 @@
 namespace isostar {
 namespace {
 
-/// Three letters; the fourth byte has its top bit set, as no text has, then the version and the
+/// The fourth byte has its top bit set, which no text has; it also holds the version and the
 /// dimension.
 constexpr std::array<uint8_t, 3> kMagic{'i', 's', 'o'};
 constexpr uint32_t kBinary = 0x80;
-constexpr std::size_t kShort = 1024;  // bytes of layers with short checksums
+constexpr std::size_t kShort = 1024;  // layers with fewer bytes have checksums of 16 bits
 enum Flag : uint32_t {
   kLossless = 1,
   kTetrahedra = 2,
@@ -30,7 +30,7 @@ enum Flag : uint32_t {
   kKnownFlags = 4095
 };
 
-/// Errors in an eighth of an octave: 0 is none, 1 is 2^-20.
+/// The layer's error on a scale of eight steps per factor of two: 0 is no error, 1 is 2^-20.
 uint32_t pack(double error) {
   if (!(error > 0)) return 0;
   return static_cast<uint32_t>(std::clamp(std::lround(8 * (std::log2(error) + 20)), 1L, 255L));
@@ -42,12 +42,12 @@ double unpack(uint32_t code) {
   return std::ldexp(kRoots[code % 8], static_cast<int>(code / 8) - 20);
 }
 
-/// Kind and level of a layer in a byte.
+/// Kind and level of a layer in one byte.
 uint32_t packed(const LayerHead& head) {
   return static_cast<uint32_t>(head.kind) << 5 | static_cast<uint32_t>(head.level);
 }
 
-/// How many axes of a placement a stream tells.
+/// For how many axes a stream stores spacing and origin.
 std::size_t placed(const Header& h) {
   return static_cast<std::size_t>(std::min(h.dimension, 3));
 }
@@ -205,7 +205,7 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   const auto kind = static_cast<LayerKind>(first >> 5);
   const uint32_t level = first & 31;
   const bool numbered = level >= 1 && level <= header.furtherIsovalues.size();
-  if (isFurther(kind) ? !numbered : level > static_cast<uint32_t>(header.finestLevel()))
+  if (traitsOf(kind).isFurther ? !numbered : level > static_cast<uint32_t>(header.finestLevel()))
     return Error::Corrupt;
   out = {kind, static_cast<int>(level), unpack(error), bytes, sum};
   used = r.position();

@@ -1,4 +1,4 @@
-// The container, byte by byte: a header, then layers, each with a head of its own.
+// The container: a header, then layers, each preceded by its head.
 #pragma once
 
 #include <span>
@@ -6,49 +6,34 @@
 
 #include "container/bytes.h"
 #include "container/header.h"
+#include "container/layer_kind.h"
 
 namespace isostar {
 
-/// A near layer belongs to a further isovalue, by number from 1, which stands in its head instead
-/// of the octave.
-enum class LayerKind : uint8_t {
-  Base = 0,
-  Refinement = 1,
-  Exponents = 2,
-  Magnitudes = 3,
-  Domain = 4,
-  Displacement = 5,
-  FurtherSigns = 6,
-  FurtherGeometry = 7
-};
-
 struct LayerHead {
   LayerKind kind = LayerKind::Base;
-  int level = 0;     // octave, or number of an isovalue
-  double error = 0;  // RMS distance to the source's surface, grid steps, to within 5 %
+  int level = 0;  // or the number of a further isovalue
+  double error = 0;  // RMS distance to the source's surface, in grid steps, to within 5 %
   uint64_t bytes = 0;
   uint32_t checksum = 0;
 };
-
-[[nodiscard]] inline bool isFurther(LayerKind kind) {
-  return kind == LayerKind::FurtherSigns || kind == LayerKind::FurtherGeometry;
-}
 
 inline constexpr uint64_t kMostLayers = 255;
 
 void write(ByteWriter& out, const Header& header);
 void write(ByteWriter& out, const LayerHead& head);
-/// Appends a layer; length and checksum of its head are set here.
+/// Appends a layer. Sets the length and the checksum in its head.
 void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer);
 
-/// Truncated where more bytes are needed; `used` then stays as it is.
+/// Error::Truncated if more bytes are needed; `used` is then not set. Otherwise `used` receives the
+/// size of the header or head in bytes.
 [[nodiscard]] Error read(std::span<const std::byte> in, Header& out, std::size_t& used);
 [[nodiscard]] Error read(std::span<const std::byte> in, const Header& header, LayerHead& out,
                          std::size_t& used);
 
-/// Of a layer under the other fields of its head; of 16 bits for a short one.
+/// Of a layer and the other fields of its head; 16 bits for a short layer, 32 for others.
 [[nodiscard]] uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer);
-/// Of a header between its first three bytes and the checksum itself, 16 bits.
+/// Of the header's bytes between the first three and the checksum itself; 16 bits.
 [[nodiscard]] uint32_t checksum(std::span<const std::byte> header);
 
 }  // namespace isostar

@@ -1,10 +1,11 @@
-// A decoder's knowledge of an adaptive stream: layers in, surfaces out.
+// The decoder of an adaptive stream in one dimension: layers in, surfaces out.
 #pragma once
 
 #include <algorithm>
 
 #include "coding/adaptive/adaptive_field.h"
 #include "coding/codec_state.h"
+#include "decoder/layer_input.h"
 #include "decoder/reconstruction.h"
 #include "surface/contour.h"
 #include "surface/polygonizer.h"
@@ -20,29 +21,21 @@ class AdaptiveReconstruction : public Reconstruction {
 
   ISOSTAR_COLD Outcome decode(const LayerHead& head, std::span<const std::byte> bytes,
                               bool torn) override {
-    constexpr std::size_t kTrimmed =
-        8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
-    const bool geometry = head.kind == LayerKind::Exponents || head.kind == LayerKind::Magnitudes;
-    if (torn && !geometry) return {};  // an octave shows only as a whole
-    GeometryPass<D> pass;
-    pass.kind = head.kind;
-    if (geometry) {
-      ByteReader fields(bytes);
-      if (!pass.read(fields)) return {Error::Corrupt};
-      if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
-      bytes = bytes.subspan(fields.position());
-    }
+    if (torn && !traitsOf(head.kind).hasPass) return {};  // signs are shown only level by level
+    LayerInput<D> input;
+    if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;
     const uint64_t next = head.kind == LayerKind::Refinement  ? field_.mesh.memoryToRefine()
                           : head.kind == LayerKind::Exponents ? field_.memoryToCode()
                                                               : 0;
     const uint64_t held = field_.memory();
     if (held + next > limits_.memory) return {Error::OverLimit};
-    RangeDecoder coder(bytes);
+    RangeDecoder coder(input.coded);
     DecoderExchange<D> exchange(
-        coder, torn ? 0 : kTrimmed,
+        coder, torn ? 0 : input.kSlack,
         limits_.memory - held - (head.kind == LayerKind::Exponents ? next : 0));
-    code(exchange, head.kind, pass);
+    field_.code(exchange, input.pass, header_);
+    based_ = true;
     if (exchange.overBudget()) return {Error::OverLimit};
     if (!torn && exchange.exhausted()) return {Error::Corrupt};
     return {Error::None, true};
@@ -66,7 +59,7 @@ class AdaptiveReconstruction : public Reconstruction {
   }
 
  private:
-  /// The base first, then each octave's mesh, then the scalars of each octave.
+  /// The base comes first, then the mesh of each level, then the scalars of each level.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
     if (!based_) return kind == LayerKind::Base && level == 0;
     if (field_.mesh.level() < header_.finestLevel())
@@ -74,20 +67,6 @@ class AdaptiveReconstruction : public Reconstruction {
     if (kind == LayerKind::Exponents)
       return level == field_.coded() && level <= header_.finestLevel();
     return kind == LayerKind::Magnitudes && level == field_.coded() - 1;
-  }
-
-  template <class Exchange>
-  void code(Exchange& exchange, LayerKind kind, const GeometryPass<D>& pass) {
-    if (kind == LayerKind::Base) {
-      field_.mesh.base(exchange);
-      based_ = true;
-    } else if (kind == LayerKind::Refinement) {
-      field_.mesh.refine(exchange);
-    } else if (kind == LayerKind::Exponents) {
-      field_.codeExponents(exchange, pass.depth, header_.polygonizer);
-    } else {
-      field_.codeMagnitudes(exchange, pass.magnitudePass(header_.fitted));
-    }
   }
 
   template <class Out>

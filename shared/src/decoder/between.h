@@ -1,4 +1,4 @@
-// The surface at an isovalue that has not been told, drawn from those that have (§5.4): for display
+// The surface at an isovalue that is not coded, derived from those that are (§5.4); for display
 // only.
 #pragma once
 
@@ -6,22 +6,22 @@
 
 namespace isostar {
 
-/// A vertex with a known interval is where its middle is. Others keep the sign that the isovalues
-/// told on both sides share; where these differ, the mean of what is known beside the vertex
-/// decides, or else the middle between both.
+/// A vertex with a known interval takes the interval's middle. Any other vertex keeps the sign that
+/// the isovalues on both sides share. Where those signs differ, the mean of the known neighbours
+/// decides, or else the middle between the two isovalues.
 template <int D>
 class Between {
  public:
-  /// `quanta` above the first isovalue; `offset` is that of its positive scalars
-  /// (Header::positiveOffset).
+  /// `steps`: quantization steps above the first isovalue. `offset`: that of the first isovalue's
+  /// positive scalars (Header::positiveOffset).
   Between(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first,
           double isovalue, double steps, double offset)
       : scalars_(further.seenFrom(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
     const auto neighbours = further.neighbours(first, isovalue);
     const auto& nearest = neighbours.nearest(isovalue);
     signs_ = *nearest.signs;
-    // An interval's middle is half a quantum below what Scalars keep: that is the offset of all of
-    // them.
+    // The middle of an interval lies half a quantization step below what Scalars store; this is the
+    // offset for all of them.
     const auto inScalars = [&](double isoStep) {
       return std::clamp(std::ldexp(2 * isoStep + 1 - 2 * offset, finer_), -kMost, kMost);
     };
@@ -37,7 +37,7 @@ class Between {
     active_ = activeBricks(signs_);
   }
 
-  /// Bytes that it takes at most to make it.
+  /// Bytes needed at most while it is constructed.
   [[nodiscard]] static uint64_t memoryToMake(const FurtherIsovalues<D>& further,
                                              const typename FurtherIsovalues<D>::First& first,
                                              double isovalue) {
@@ -53,14 +53,14 @@ class Between {
            Signs<D>::memoryToFill(brickIndices,
                                   neighbours.nearest(isovalue).signs->brickCount() + bricks);
   }
-  /// Bytes in use, while one more brick is made.
+  /// Bytes in use while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     return scalars_.memory() + known_.memory() + signs_.memory() + active_.size();
   }
 
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   [[nodiscard]] const std::vector<uint8_t>& active() const { return active_; }
-  /// Seen from the isovalue, in 2^-finer() half quanta.
+  /// Relative to the isovalue, in units of 2^-finer() half quantization steps.
   [[nodiscard]] Scalars<D>& scalars() { return scalars_; }
   [[nodiscard]] int finer() const { return finer_; }
 
@@ -69,8 +69,8 @@ class Between {
 
   /// May a brick have vertices between two isovalues?
   static bool splits(const Signs<D>& below, const Signs<D>& above, std::size_t brickIndex) {
-    return below.index(brickIndex) != Signs<D>::kNegative &&
-           above.index(brickIndex) != Signs<D>::kPositive;
+    return below.slot(brickIndex) != Signs<D>::kNegative &&
+           above.slot(brickIndex) != Signs<D>::kPositive;
   }
 
   void brick(std::size_t brickIndex) {
@@ -88,7 +88,7 @@ class Between {
         const bool open = (unsure >> x & 1) != 0;
         if (!coded.knows(v) && !open) continue;
         const int64_t value = (coded.knows(v) ? coded.value[v] : around(r, x)) - zero_;
-        // Which side of the two isovalues told it is on, is certain.
+        // Outside the range between the two coded isovalues, the sign is certain.
         const bool sure = below_ != nullptr && !open,
                    positive = sure ? (bits.rows[r] >> x & 1) != 0 : value > 0;
         const auto size =
@@ -101,7 +101,7 @@ class Between {
     signs_.writable(brickIndex) = bits;
   }
 
-  /// The mean of what is known next to a vertex, or else the middle between both isovalues.
+  /// The mean of the known neighbours, or else the middle between both isovalues.
   [[nodiscard]] int64_t around(std::size_t r, int x) const {
     const int32_t* here = &window_.value[ScalarWindow<D>::index(r, x)];
     int64_t sum = 0;
@@ -119,7 +119,7 @@ class Between {
 
   Scalars<D> scalars_;
   int finer_;
-  Scalars<D> known_;  // as they were: seen from the first isovalue
+  Scalars<D> known_;  // as coded: relative to the first isovalue
   Signs<D> signs_;
   std::vector<uint8_t> active_;
   int64_t zero_ = 0, middle_ = 0;

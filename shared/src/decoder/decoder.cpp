@@ -8,20 +8,6 @@
 namespace isostar {
 namespace {
 
-const char* kindName(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::Base:
-      return "base";
-    case LayerKind::Refinement:
-    case LayerKind::FurtherSigns:
-      return "refinement";
-    case LayerKind::Domain:
-      return "domain";
-    default:
-      return "geometry";
-  }
-}
-
 StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   StreamInfo info;
   info.version = h.version;
@@ -44,16 +30,17 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   return info;
 }
 
-/// A layer whose own bytes begin at `start`.
+/// Adds a layer whose own bytes begin at `start`.
 void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes,
               std::size_t start) {
-  const bool near = isFurther(head.kind);
+  const bool near = traitsOf(head.kind).isFurther;
   info.headerBytes += headBytes;
-  info.layers.push_back({kindName(head.kind), near ? header.finestLevel() : head.level,
+  info.layers.push_back({traitsOf(head.kind).name, near ? header.finestLevel() : head.level,
                          start + head.bytes, head.bytes, head.error, near ? head.level : 0});
 }
 
-/// The head at the beginning of what is left of a stream, of which `stream` may not have arrived.
+/// Reads the next layer's head. `arrived`: what has come of the rest of the stream; `left`: the
+/// length of the whole rest. Corrupt if head and layer do not fit into the rest.
 Error readHead(std::span<const std::byte> arrived, uint64_t left, const Header& header,
                LayerHead& head, std::size_t& used) {
   const Error error =
@@ -97,7 +84,7 @@ struct Decoder::State {
     if (error == Error::None) error = e;
     return false;
   }
-  /// Can a surface be made of what has come?
+  /// Can a surface be made with these options?
   [[nodiscard]] Error shows(const MeshOptions& options) const {
     if (!known) return Error::Truncated;
     return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None
@@ -107,7 +94,7 @@ struct Decoder::State {
 
   Limits limits;
   std::vector<std::byte> in;
-  std::size_t at = 0;  // what has been decoded ends here
+  std::size_t at = 0;  // the end of what has been decoded
   bool finished = false;
   Error error = Error::None;
   std::optional<Header> header;
@@ -118,7 +105,8 @@ struct Decoder::State {
   double rms = 0;
 };
 
-/// What nobody will look at is not kept.
+/// Drops bytes that come after an error, after finish() or after the stream's end: they are never
+/// read.
 void Decoder::State::accept(std::span<const std::byte> bytes) {
   if (error != Error::None || finished) return;
   if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
@@ -149,7 +137,7 @@ ISOSTAR_COLD bool Decoder::State::readHeader() {
   return known != nullptr || fail(Error::UnsupportedVersion);
 }
 
-/// A layer without its end: what there is of it may still show.
+/// Decodes a layer whose last bytes are missing: the surface may be better for what is left.
 bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte> bytes) {
   tornShown = true;
   const auto [e, better] = known->decode(head, bytes, true);

@@ -1,4 +1,4 @@
-// What a decoder knows so far, in the dimension of its stream.
+// The decoder's state, behind an interface that hides the dimension of the stream.
 #pragma once
 
 #include <memory>
@@ -11,24 +11,24 @@ class Reconstruction {
  public:
   virtual ~Reconstruction() = default;
 
-  /// What became of a layer: was it sound, and is what is shown better for it?
+  /// The result of a layer: its error, and whether the shown surface is better for it.
   struct Outcome {
     Error error = Error::None;
     bool better = false;
   };
-  /// A torn layer is the last: its bytes end early.
+  /// `torn`: the last bytes of the layer are missing; no layer may follow.
   virtual Outcome decode(const LayerHead& head, std::span<const std::byte> layer, bool torn) = 0;
 
-  /// The octave that is known, -1 before the first.
+  /// The finest level that is complete, -1 before the first.
   [[nodiscard]] virtual int level() const = 0;
 
-  /// BadArgument where the dimension has no such thing.
+  /// BadArgument if streams of this dimension have no such output.
   virtual Error show(const MeshOptions& options, Mesh& out) const = 0;
   virtual Error show(const MeshOptions& options, Contours& out) const = 0;
 };
 
-/// Of a header that is within the limits, and outlives it. Null where this build lacks the header's
-/// dimension.
+/// `header` must be within the limits and outlive the result. Null if this build does not support
+/// the header's dimension.
 [[nodiscard]] std::unique_ptr<Reconstruction> reconstructionOf(const Header& header,
                                                                const Limits& limits);
 

@@ -1,10 +1,11 @@
-// A decoder's knowledge in a dimension: layers in, surfaces out.
+// The decoder of a uniform stream in one dimension: layers in, surfaces out.
 #pragma once
 
 #include <algorithm>
 
 #include "coding/codec_state.h"
 #include "decoder/between.h"
+#include "decoder/layer_input.h"
 #include "decoder/reconstruction.h"
 #include "estimate/completion.h"
 #include "surface/contour.h"
@@ -22,43 +23,15 @@ class UniformReconstruction : public Reconstruction {
 
   ISOSTAR_COLD Outcome decode(const LayerHead& head, std::span<const std::byte> bytes,
                               bool torn) override {
-    constexpr std::size_t kTrimmed =
-        8;  // four bytes that the encoder may leave out, four that the decoder reads ahead
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
-    GeometryPass<D> pass;
-    pass.kind = head.kind;
-    const bool geometry = head.kind >= LayerKind::Exponents && head.kind != LayerKind::Domain &&
-                          head.kind != LayerKind::FurtherSigns;
     if (torn && !showsTorn(head, bytes.size())) return {};
-    if (geometry) {
-      ByteReader fields(bytes);
-      if (head.kind == LayerKind::FurtherGeometry) {
-        pass.kind = static_cast<LayerKind>(fields.u8());
-        if (!fields.overrun() && pass.kind != LayerKind::Exponents &&
-            pass.kind != LayerKind::Magnitudes)
-          return {Error::Corrupt};
-      }
-      if (!pass.read(fields)) return {Error::Corrupt};
-      if (fields.overrun()) return {torn ? Error::None : Error::Corrupt};
-      bytes = bytes.subspan(fields.position());
-    }
-    const Memory memory = memoryFor(head.kind, pass.kind);
+    LayerInput<D> input;
+    if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;
+    const auto memory = known_.memoryFor(head.kind, input.pass.kind);
     if (memory.needed > limits_.memory) return {Error::OverLimit};
-    RangeDecoder coder(bytes);
-    DecoderExchange<D> exchange(coder, torn ? 0 : kTrimmed, left(memory.settled).memory);
-    if (head.kind == LayerKind::FurtherSigns) {
-      known_.furtherSigns(exchange, head.level);
-    } else if (head.kind == LayerKind::FurtherGeometry) {
-      known_.furtherGeometry(exchange, pass);
-    } else if (geometry) {
-      known_.geometry(exchange, pass);
-    } else if (head.kind == LayerKind::Base) {
-      known_.base(exchange);
-    } else if (head.kind == LayerKind::Domain) {
-      known_.codeDomain(exchange);
-    } else {
-      known_.refine(exchange);
-    }
+    RangeDecoder coder(input.coded);
+    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.settled).memory);
+    known_.code(exchange, head, input.pass);
     const Error error = exchange.overBudget()           ? Error::OverLimit
                         : !torn && exchange.exhausted() ? Error::Corrupt
                                                         : Error::None;
@@ -109,12 +82,12 @@ class UniformReconstruction : public Reconstruction {
   }
 
  private:
-  /// The base first, then each octave, displacements after any of them, then where the domain ends,
-  /// then geometry on the finest; then signs and geometry of each further isovalue.
+  /// The base comes first, then each level, with displacements after any of them; then the domain;
+  /// then geometry on the finest level; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
     const int finestLevel = header_.finestLevel(),
               furtherCoded = static_cast<int>(known_.further.surfaces().size());
-    if (isFurther(kind)) {
+    if (traitsOf(kind).isFurther) {
       return based_ && known_.level == finestLevel && level >= 1 &&
              level == furtherCoded + (kind == LayerKind::FurtherSigns ? 1 : 0);
     }
@@ -130,59 +103,42 @@ class UniformReconstruction : public Reconstruction {
            level == finestLevel;
   }
 
-  /// Octaves, of vertices or of scalars, show in part if there is a quarter: where they meet what
-  /// has not been told they are no better.
   [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
-    if (head.kind == LayerKind::Exponents ||
-        (head.kind == LayerKind::Refinement && !known_.partial))
-      return 4 * bytes >= head.bytes;
-    return head.kind == LayerKind::Magnitudes || head.kind == LayerKind::Displacement ||
-           head.kind == LayerKind::FurtherGeometry;
+    if (head.kind == LayerKind::Refinement && known_.partial) return false;
+    switch (traitsOf(head.kind).tornFrom) {
+      case TornFrom::Never:
+        return false;
+      case TornFrom::Quarter:
+        return 4 * bytes >= head.bytes;
+      default:
+        return true;
+    }
   }
-  /// Takes over an octave that has been told in part, if the limits allow it.
+  /// Keeps an incomplete level, if the limits allow it. False if nothing new is shown.
   bool showsUnfinished() {
-    if (known_.unfinished.table().total() == 0) return true;  // nothing that matters was missing
+    if (known_.unfinished.table().total() == 0) return true;  // no part that matters was missing
     if (known_.memoryToKeepUnfinished() > limits_.memory) return false;
     known_.keepUnfinished();
     return known_.partial.has_value();
   }
 
-  /// What is left of the limits where so many bytes are held.
+  /// What is left of the limits while `held` bytes are in use.
   [[nodiscard]] Limits left(uint64_t held) const {
     return {limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory)};
   }
 
-  /// What a layer takes at most to begin with, and what stays as it is while it is decoded.
-  struct Memory {
-    uint64_t needed, settled;
-  };
-  [[nodiscard]] Memory memoryFor(LayerKind layer, LayerKind pass) const {
-    const uint64_t all = known_.memory() + known_.further.memory();
-    if (layer == LayerKind::Refinement)
-      return {known_.memoryToRefine(), known_.memoryBesideScalars()};
-    if (layer == LayerKind::FurtherSigns)
-      return {all + known_.further.memoryToBegin(known_.first()),
-              all - known_.further.memoryOfIntervals() + known_.signs.table().total()};
-    if (layer == LayerKind::FurtherGeometry)
-      return {all + (pass == LayerKind::Exponents ? known_.further.memoryToCode() : 0), 0};
-    if (layer == LayerKind::Displacement)
-      return {known_.memoryForDisplacements(),
-              known_.memory() - known_.displacements.memory() + known_.memoryToFindActive()};
-    return {known_.memoryForScalars(), known_.memoryBesideScalars() + known_.memoryToFindActive()};
-  }
-
-  /// What is known of the surface of one isovalue that has been told.
+  /// What is known of the surface at one coded isovalue.
   struct Known {
     const Signs<D>& signs;
     const std::vector<uint8_t>& active;
     const Scalars<D>& scalars;
     const std::array<bool, 2>& coded;
     Hints<D> hints;
-    bool smooth = false;  // is only the octave of most magnitudes known?
+    bool smooth = false;  // do exponents alone determine most magnitudes?
   };
 
-  /// Calls make(surface, bytes held) with the surface of the isovalue that is asked for: as it was
-  /// told, or between those that were.
+  /// Calls make(surface, bytes held) with the surface of the requested isovalue: as coded, or
+  /// between coded ones.
   template <class Make>
   Error withSurface(const MeshOptions& options, Make make) const {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
@@ -200,7 +156,7 @@ class UniformReconstruction : public Reconstruction {
     return withBetween(isovalue, options, held, make);
   }
 
-  /// Of a mesh that has not all vertices yet.
+  /// For a mesh that has absent vertices.
   template <class Make>
   Error withPartial(uint64_t held, Make make) const {
     const auto adaptive = known_.partial->shown(known_.partial->mesh.level(), left(held).memory);
@@ -210,7 +166,7 @@ class UniformReconstruction : public Reconstruction {
                 held + adaptive->memory());
   }
 
-  /// Before any scalars have been told.
+  /// Before any scalars are coded.
   template <class Make>
   Error withEstimated(const MeshOptions& options, uint64_t held, Make make) const {
     const std::size_t brickIndices = known_.signs.table().total();
@@ -239,7 +195,7 @@ class UniformReconstruction : public Reconstruction {
 
   [[nodiscard]] const Scalars<D>* domain() const { return trims_ ? &known_.domain : nullptr; }
 
-  /// With scalars for all vertices that the polygonizer needs, told or estimated.
+  /// With scalars, coded or estimated, for all vertices that the polygonizer needs.
   template <class Make>
   Error withCompleted(const Known& known, const Header& header, const MeshOptions& options,
                       uint64_t held, Make make) const {
@@ -260,8 +216,8 @@ class UniformReconstruction : public Reconstruction {
                 held + completed);
   }
 
-  /// Of scalars with estimates in all active bricks; while they are made, those before are kept,
-  /// too.
+  /// Bytes of scalars that have estimates in all active bricks. While they are made, the coded
+  /// scalars are in use, too.
   [[nodiscard]] static uint64_t memoryCompleted(const Scalars<D>& scalars,
                                                 const std::vector<uint8_t>& active) {
     uint64_t bricks = 0;

@@ -1,5 +1,5 @@
-// Stands in for reconstruction.cpp where the decoder must be small: each dimension would cost a
-// page as much again.
+// Replaces reconstruction.cpp where the decoder must be small. Each dimension is a set of template
+// instances of its own, so that this build supports 3D streams only.
 #include "decoder/adaptive_reconstruction.h"
 #include "decoder/reconstruction.h"
 #include "decoder/uniform_reconstruction.h"

@@ -35,7 +35,7 @@ void codePass(UniformWriter<D>& layers, const Header& header, GeometryPass<D> pa
 
 template <int D>
 GeometryPass<D> magnitudePass(const Header& header, double distance) {
-  return {LayerKind::Magnitudes, Members::AxisEnds, 0, allowed<D>(header, distance), 30, false};
+  return {.kind = LayerKind::Magnitudes, .allowed = allowed<D>(header, distance), .most = 30};
 }
 
 /// Octaves, then halvings to half the distance each, until the bound holds.
@@ -46,14 +46,10 @@ void codeGeometry(UniformWriter<D>& layers, const Header& header) {
   constexpr double kFinest = 1e-6;  // all is told
   const double bound = header.lossless ? 0 : std::max(double{header.maxError}, kFinest);
   codePass<D>(layers, header,
-              {LayerKind::Exponents,
-               Members::AxisEnds,
-               bound > 0.3    ? 1
-               : bound > 0.15 ? 2
-                              : 3,
-               {},
-               0,
-               false});
+              {.kind = LayerKind::Exponents,
+               .exponentRange = bound > 0.3    ? 1
+                                : bound > 0.15 ? 2
+                                               : 3});
   double distance = header.lossless ? kFinestOfLossless : bound;
   while (distance * 2 < kCoarsest) distance *= 2;
   for (; distance > (header.lossless ? kFinestOfLossless * 0.9 : bound * 1.1);

@@ -38,46 +38,31 @@ class UniformWriter {
     for (int level = 0; level <= finestLevel_; ++level) {
       const Signs<D>& actual =
           level < finestLevel_ ? coarse[static_cast<std::size_t>(level)] : finest;
-      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual,
-           [&](auto& exchange) {
-             exchange.follow(coarse, whole);
-             exchange.see(filterOf(level, filter));
-             if (level == 0)
-               known_.base(exchange);
-             else
-               known_.refine(exchange);
-           });
+      const LayerHead head{.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement,
+                           .level = level};
+      code(head, actual, {}, [&](auto& exchange) {
+        exchange.follow(coarse, whole);
+        exchange.see(filterOf(level, filter));
+      });
       if (!known_.partial) after(level);
       if (options_.progress) options_.progress(0.5 * (level + 1) / (finestLevel_ + 1));
     }
   }
 
-  void domain() {
-    code({LayerKind::Domain, finestLevel_, 0, 0, 0}, source_->signs(),
-         [&](auto& exchange) { known_.codeDomain(exchange); });
-  }
+  void domain() { code({.kind = LayerKind::Domain, .level = finestLevel_}, source_->signs()); }
 
   /// The signs of a further isovalue; passes are its from now on.
   void furtherSigns(int number, Source<D>& source) {
     number_ = number;
     source_ = &source;
-    code({LayerKind::FurtherSigns, number, 0, 0, 0}, source.signs(),
-         [&](auto& exchange) { known_.furtherSigns(exchange, number); });
+    code({.kind = LayerKind::FurtherSigns, .level = number}, source.signs());
   }
 
   void geometry(const GeometryPass<D>& pass) {
-    source_->quantized().target(number_ == 0 && settles(pass));
-    const LayerHead head{number_ == 0 ? pass.kind : LayerKind::FurtherGeometry,
-                         number_ == 0 ? known_.level : number_, 0, 0, 0};
-    code(
-        head, source_->signs(),
-        [&](auto& exchange) {
-          if (number_ == 0)
-            known_.geometry(exchange, pass);
-          else
-            known_.furtherGeometry(exchange, pass);
-        },
-        &pass);
+    source_->quantized().setRdoq(number_ == 0 && settles(pass));
+    code({.kind = number_ == 0 ? pass.kind : LayerKind::FurtherGeometry,
+          .level = number_ == 0 ? known_.level : number_},
+         source_->signs(), pass);
   }
 
   /// The bricks where a vertex of the surface is off by more than the bound, by place; none if
@@ -110,10 +95,20 @@ class UniformWriter {
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
-  template <class Code>
-  void code(LayerHead head, const Signs<D>& actual, Code what,
-            const GeometryPass<D>* pass = nullptr) {
-    layers_.add(head, pass, actual, source_->quantized(), what, [&] { return rms(); });
+  /// prepare(exchange): what a layer needs beside signs and scalars.
+  template <class Prepare>
+  void code(const LayerHead& head, const Signs<D>& actual, const GeometryPass<D>& pass,
+            Prepare prepare) {
+    layers_.add(
+        head, pass, actual, source_->quantized(),
+        [&](auto& exchange) {
+          prepare(exchange);
+          known_.code(exchange, head, pass);
+        },
+        [&] { return rms(); });
+  }
+  void code(const LayerHead& head, const Signs<D>& actual, const GeometryPass<D>& pass = {}) {
+    code(head, actual, pass, [](auto&) {});
   }
 
   /// May a pass tell what is nearly true? Not where it repairs or a later one narrows all its

@@ -1,6 +1,6 @@
-// Adaptive probabilities, and their mixing in the log-odds domain (§6 of the paper leaves the
-// models open). After M. Mahoney, "Adaptive weighing of context models" (PAQ, lpaq); integers only,
-// so that every machine agrees.
+// Adaptive bit models and their mixing in the log-odds domain (§6 of the paper leaves the models
+// open). After M. Mahoney, "Adaptive weighing of context models" (PAQ, lpaq). Integers only, so
+// that all machines compute the same probabilities.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,17 @@
 
 namespace isostar {
 
-/// The logistic function and its inverse on integers: log-odds in 1/256 within [-2047, 2047],
-/// chances in 1/65536.
+/// The logistic function and its inverse on integers: log-odds in units of 1/256 within [-2047,
+/// 2047], probabilities in units of 1/65536.
 class Logistic {
  public:
   static constexpr int kBound = 2047;
 
+  /// The probability of log-odds, which are clamped to [-kBound, kBound] first.
   [[nodiscard]] static uint32_t squash(int logOdds) {
     return tables().squash[static_cast<std::size_t>(std::clamp(logOdds, -kBound, kBound) + kBound)];
   }
+  /// The log-odds of a probability below kProbabilityOne.
   [[nodiscard]] static int stretch(uint32_t probability) {
     return tables().stretch[probability >> 4];
   }
@@ -30,11 +32,11 @@ class Logistic {
     std::array<uint16_t, 2 * kBound + 1> squash{};
     std::array<int16_t, 4096> stretch{};
 
-    /// At run time, since they would be an eighth of a small decoder; volatile keeps the compiler
-    /// from doing it all the same.
+    /// Fills the tables at run time: as constants they would be an eighth of a small decoder.
+    /// `volatile` keeps the compiler from evaluating the loop at compile time.
     Tables() {
       const volatile int first = -kBound;
-      // 65536 / (1 + e^-x) at x = -8, -7.5, … 8; straight lines between.
+      // 65536 / (1 + e^-x) at x = -8, -7.5, … 8, with linear interpolation in between.
       constexpr std::array<uint32_t, 33> kKnots{
           22,    36,    60,    98,    162,   267,   439,   720,   1179,  1921,  3108,
           4971,  7812,  11955, 17625, 24743, 32768, 40793, 47911, 53581, 57724, 60565,
@@ -60,14 +62,17 @@ class Logistic {
 
 inline const Logistic::Tables Logistic::kTables;
 
-/// One adaptive probability with a rate of its own: moves by 2/3, 1/3, 1/4, … at its first
-/// decisions, never by less than 1/limit. No tables, so that several of them learn side by side.
+/// One adaptive probability. Its first decisions move it by 2/3, 1/3, 1/4, … of the way towards
+/// their value, later ones by no less than about 1/Limit. The update needs no tables, so that
+/// several models are updated as one vector.
 class BitModel {
  public:
+  /// The probability of `true`, in units of 1/65536.
   [[nodiscard]] uint32_t value() const {
     return std::clamp(state_ >> 16, kLeastProbability, kProbabilityOne - kLeastProbability);
   }
 
+  /// Codes one decision with this model alone, and learns from it.
   template <class Coder>
   bool bit(Coder& coder, bool actual) {
     const bool value = coder.bit(actual, this->value());
@@ -84,10 +89,11 @@ class BitModel {
   template <int N>
   friend class Mixer;
 
-  static constexpr int kRateBits = 14;  // of the state, below 18 of probability
+  /// The lower bits of the state are the rate, the upper 18 the probability.
+  static constexpr int kRateBits = 14;
   static constexpr int32_t kFirstRate = (1 << kRateBits) * 2 / 3;
 
-  /// The state, or a vector of states, after a decision.
+  /// The state after a decision. State is an integer, or a vector of integers.
   template <int Limit, class State>
   static State learned(State state, bool actual) {
     constexpr int32_t kLeastRate = (1 << (kRateBits + 1)) / (2 * Limit + 3);
@@ -95,7 +101,7 @@ class BitModel {
     const State p = (state >> kRateBits) & ((1 << 18) - 1);
     const State gap = (actual ? (1 << 18) - 1 : 0) - p;
     const State moved = p + (((gap >> 1) * rate + (1 << (kRateBits - 2))) >> (kRateBits - 1));
-    // 1/(n + 1) is nearly 1/n - 3/4 of its square.
+    // 1/(n + 1) is nearly 1/n - 3/4 · (1/n)².
     const State slower = rate - ((rate * rate * 3 + (1 << (kRateBits + 1))) >> (kRateBits + 2));
     return moved << kRateBits | (slower < kLeastRate ? State{} + kLeastRate : slower);
   }
@@ -103,20 +109,21 @@ class BitModel {
   uint32_t state_ = 1u << 31 | kFirstRate;
 };
 
-/// A decision seen in up to four contexts at once: their log-odds, weighed by weights that learn
-/// which context to trust.
+/// Codes one decision in up to four contexts at once: their log-odds are summed with weights, which
+/// learn how far to trust each context.
 template <int N>
 class Mixer {
  public:
   static_assert(N <= 4);
 
-  using Weights = std::array<int32_t, 4>;  // 1/16384, within [-8, 8]
+  using Weights = std::array<int32_t, 4>;  // in units of 1/16384, within [-8, 8]
+  /// For contexts alone.
   [[nodiscard]] static Weights initialWeights() {
     Weights w{};
     std::fill_n(w.begin(), N, kOne * 10 / (N * 8));
     return w;
   }
-  /// Where there is an estimate, too: it is trusted while contexts have learned nothing.
+  /// For contexts and an estimate, which counts while the contexts have not learned anything.
   [[nodiscard]] static Weights initialWeightsWithEstimate() {
     static_assert(N < 4);
     Weights w{};
@@ -125,9 +132,12 @@ class Mixer {
     return w;
   }
 
-  /// Chances forget beyond Limit decisions; weights move by error · log-odds / 2^Rate. All numbers
-  /// fit 32 bits. Beside fewer than four contexts there may be an estimate that does not learn, in
-  /// log-odds; it has the next weight.
+  /// Codes a decision, then updates the models of its contexts and the weights. Models average over
+  /// about Limit decisions; weights move by error · log-odds / 2^Rate. All intermediate values fit
+  /// 32 bits.
+  ///
+  /// With fewer than four contexts, `estimate` may add log-odds in units of 1/256 that do not
+  /// adapt; they use the weight after the contexts' ones.
   template <int Limit, int Rate, class Coder>
   static bool bit(Coder& coder, bool actual, const std::array<BitModel*, N>& contexts,
                   Weights& weights, int32_t estimate = 0) {

@@ -1,6 +1,6 @@
-// Binary arithmetic coding in three directions with one call signature (§5: "the final arithmetic
-// coder"). Carry-propagating range coder after G. Martin (1979): 32-bit range, bytes out,
-// probabilities of 16 bits.
+// Binary range coding: an encoder, a decoder and a meter with the same call signature (§5: "the
+// final arithmetic coder"). Carry-propagating range coder after G. Martin (1979): 32-bit range,
+// output in bytes, probabilities of 16 bits.
 #pragma once
 
 #include <cmath>
@@ -11,11 +11,13 @@
 
 namespace isostar {
 
-/// Probabilities are those of `true`, in 1/65536, within [kLeastChance, 65536 - kLeastChance].
+/// Probabilities are those of `true`, in units of 1/65536, within [kLeastProbability,
+/// kProbabilityOne - kLeastProbability].
 inline constexpr uint32_t kProbabilityOne = 1u << 16;
 inline constexpr uint32_t kLeastProbability = 24;
 
-/// Writes decisions; bit() returns the truth it was given.
+/// Appends coded decisions to `out`, which must outlive the encoder; bit() returns the value it was
+/// given.
 class RangeEncoder {
  public:
   explicit RangeEncoder(std::vector<std::byte>& out) : out_(out) {}
@@ -35,10 +37,10 @@ class RangeEncoder {
     return actual;
   }
 
-  /// Ends the run. Up to four zero bytes at its end are left out: the decoder reads zeros past the
-  /// end.
+  /// Ends the code; call it once, after the last bit(). Up to four zero bytes at the end are left
+  /// out: the decoder reads zeros past the end.
   void finish() {
-    // Of all numbers in [low, low + range) the one with most trailing zeros.
+    // Of all numbers in [low, low + range), take the one with the most trailing zero bytes.
     for (int keep = 24; keep >= 0; keep -= 8) {
       const uint64_t mask = (uint64_t{1} << keep) - 1;
       const uint64_t rounded = (low_ + mask) & ~mask;
@@ -57,7 +59,7 @@ class RangeEncoder {
     const bool carry = (low_ >> 32) != 0;
     if (carry || static_cast<uint32_t>(low_) < 0xFF000000u) {
       if (pending_ != 0) {
-        // The first byte of a run is always zero and never written.
+        // The first byte is always zero and is not written.
         if (!first_) out_.push_back(static_cast<std::byte>(cache_ + carry));
         first_ = false;
         for (; pending_ > 1; --pending_) out_.push_back(static_cast<std::byte>(0xFF + carry));
@@ -78,7 +80,8 @@ class RangeEncoder {
   bool first_ = true;
 };
 
-/// Reads decisions; bit() ignores its first argument. Past the end it reads zeros, and counts them.
+/// Decodes decisions; bit() ignores its first argument. `in` must outlive the decoder. Past its end
+/// the decoder reads zeros and counts them.
 class RangeDecoder {
  public:
   explicit RangeDecoder(std::span<const std::byte> in)
@@ -86,10 +89,10 @@ class RangeDecoder {
     for (int i = 0; i < 4; ++i) code_ = code_ << 8 | byte();
   }
 
-  bool bit(bool /*truth*/, uint32_t probability) {
+  bool bit(bool /*actual*/, uint32_t probability) {
     const uint32_t split = (range_ >> 16) * probability;
     const bool value = code_ < split;
-    // Masks instead of a branch: a good model leaves nothing that could be predicted.
+    // Masks instead of a branch: what a good model leaves is hard to predict for a processor.
     const uint32_t upper = value ? 0 : ~0u;
     code_ -= split & upper;
     range_ = split + ((range_ - 2 * split) & upper);
@@ -100,7 +103,7 @@ class RangeDecoder {
     return value;
   }
 
-  /// How many bytes past the end were asked for.
+  /// How many bytes past the end have been read: at most 4 when an intact code has been decoded.
   [[nodiscard]] std::size_t overrun() const { return overrun_; }
 
  private:
@@ -117,7 +120,7 @@ class RangeDecoder {
   std::size_t overrun_ = 0;
 };
 
-/// Writes nothing; adds up what the decisions would cost.
+/// Writes nothing; sums up how many bits the decisions cost.
 class Meter {
  public:
   bool bit(bool actual, uint32_t probability) {

@@ -1,5 +1,5 @@
-// Scalars where none have been told (yet): estimated from the signs and from known neighbours, for
-// display only.
+// Estimates of scalars that are not coded, or not yet, from the signs and from known neighbours;
+// for display only.
 #pragma once
 
 #include "estimate/dequantization.h"
@@ -13,16 +13,18 @@
 
 namespace isostar {
 
-/// Gives every vertex of a class in the active bricks a value; known ones stay. Values count
-/// 2^-finer half quanta: where a quantum is a large part of a step, estimates need more.
+/// Gives every vertex of a class in the active bricks a value; known values stay. Values count
+/// 2^-finer half quantization steps: where a quantization step is a large part of a grid step,
+/// estimates need the precision. `active`: by brick index.
 template <int D>
 [[gnu::noinline]] void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active,
                                        Members members, int finer, Scalars<D>& scalars,
                                        const Hints<D>& hints = {}) {
-  constexpr int64_t kShallowest =
-      2000;  // of a neighbour's estimate: a third of a step; nearer ones would tear as well
-  constexpr int kPlainGradient =
-      4 * 12;  // where nothing has been told: any will do, only ratios show
+  // Lower bound of a neighbour's estimate, a third of a grid step: with smaller ones edges would be
+  // torn as well.
+  constexpr int64_t kShallowest = 2000;
+  // The gradient where no scalar is known: any value will do, since only ratios are visible.
+  constexpr int kPlainGradient = 4 * 12;
   const Scalars<D> known = scalars;
   Tube<D> tube;
   ScalarWindow<D> window;
@@ -48,8 +50,8 @@ template <int D>
       const bool positive = tube.positive(row, x);
       const auto guess =
           Prediction<D>::of(shapes, window, tube, row, r, x, positive, unit, displaced.at(r, x));
-      // Beside known scalars in their ratio to what signs and displacements say of them, or an edge
-      // between both would be torn.
+      // Next to known scalars, scale the estimate by their ratio to their own estimates. Otherwise
+      // an edge between a known and an estimated scalar would be torn.
       const int64_t theirs = std::max<int64_t>(guess.theirs, guess.known * kShallowest);
       const int64_t magnitude = guess.known == 0
                                     ? guess.magnitude
@@ -71,12 +73,12 @@ ISOSTAR_COLD void estimateMissing(const Signs<D>& signs, const std::vector<uint8
     estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
 }
 
-/// All scalars that a polygonizer needs, those that are not known being estimated, and those that
-/// are known smoothed if asked for.
+/// All scalars that a polygonizer needs: known ones, dequantized if `smooth`, and estimates for
+/// those that are not known.
 template <int D>
 struct Completed {
   Scalars<D> scalars;
-  int finer;  // values count 2^-finer half quanta
+  int finer;  // values count 2^-finer half quantization steps
 
   Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known,
             Polygonizer polygonizer, const Hints<D>& hints, bool smooth)

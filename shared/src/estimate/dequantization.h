@@ -1,5 +1,5 @@
-// Where in their intervals scalars are shown as long as these are wide: nearer to where those
-// around them put them, for display only.
+// Dequantization: where in its interval a scalar is shown while the interval is wide, from the
+// scalars around it; for display only.
 #pragma once
 
 #include <span>
@@ -10,28 +10,29 @@
 
 namespace isostar {
 
-/// Moves the told scalars of `shown`, which count 2^-finer half quanta, towards what a fit says of
-/// each, within their intervals. How far the fits of a brick lie from what has been told says how
-/// much they are worth there: where the field is rough, nothing.
+/// Moves the known scalars of `shown`, which count 2^-finer half quantization steps, towards what a
+/// local fit says of each, within their intervals. How far the fits of a brick lie from the coded
+/// intervals says how far to trust them there; where the field is rough, they are not trusted.
 template <int D>
 class Dequantization {
  public:
-  /// `only`: the bricks that matter, by place; all if there are none.
+  /// `coded`: the intervals, as coded. `only`: by brick index, whether to process the brick; empty:
+  /// all.
   ISOSTAR_COLD static void apply(const BrickTable<D>& table, const Scalars<D>& coded, int finer,
                                  Scalars<D>& shown, std::span<const uint8_t> only = {}) {
-    Dequantization smoothing;
+    Dequantization dequantization;
     for (std::size_t brickIndex = 0; brickIndex < coded.tableSize(); ++brickIndex) {
       if (coded.has(brickIndex) && (only.empty() || only[brickIndex] != 0))
-        smoothing.brick(table, coded, brickIndex, finer, shown);
+        dequantization.brick(table, coded, brickIndex, finer, shown);
     }
   }
 
  private:
-  static constexpr int kMostHalf =
-      20;  // log2 of half an interval, as the window is scaled: beyond it nothing is known
-  static constexpr int64_t kFarthest = 4;  // halves of an interval: fits farther off count as that
+  /// log2 of half an interval in the window's scale; beyond it nothing is known.
+  static constexpr int kMostHalf = 20;
+  static constexpr int64_t kFarthest = 4;  // in half intervals: fits further off are clamped to it
   static constexpr int64_t kInner =
-      11;  // sixteenths of half an interval: as far as a scalar is moved
+      11;  // in sixteenths of half an interval: the furthest that a scalar is moved
   static constexpr int kGainBits = 12;
 
   void brick(const BrickTable<D>& table, const Scalars<D>& coded, std::size_t brickIndex, int finer,
@@ -57,8 +58,8 @@ class Dequantization {
     }
   }
 
-  /// The brick's vertices that a fit may move: not those whose intervals are single quanta, which
-  /// are known, or next to nothing.
+  /// Finds the brick's vertices that a fit may move: not those whose interval is a single
+  /// quantization step, which are known, nor those of which next to nothing is known.
   void find(const typename Scalars<D>::Brick& intervals) {
     count_ = 0;
     for (const auto& members : intervals.members) {
@@ -71,15 +72,15 @@ class Dequantization {
         if (fit.known == 0) return;
         const int32_t farthest = kFarthest << log2Half;
         const int32_t offset =
-            std::clamp(fit.bent - fits_.scaled(static_cast<int32_t>(intervals.middle(v))),
+            std::clamp(fit.curved - fits_.scaled(static_cast<int32_t>(intervals.middle(v))),
                        -farthest, farthest);
         moves_[count_++] = {static_cast<uint32_t>(v), log2Half, offset};
       });
     }
   }
 
-  /// Has a pass that ends within come so far? Where it has, what it told is shown as it is: octaves
-  /// are [0, 2^n) and [2^n, 2^(n + 1)).
+  /// Has a magnitude refinement pass reached the brick? If so, its intervals are shown as coded.
+  /// Intervals of exponents are [0, 2^n) and [2^n, 2^(n + 1)).
   static bool refined(const typename Scalars<D>::Brick& intervals) {
     for (std::size_t v = 0; v < Scalars<D>::kVertices; ++v) {
       if (intervals.knows(v) && intervals.middle(v) >> intervals.width(v) > 3) return true;
@@ -89,9 +90,10 @@ class Dequantization {
 
   using Gains = std::array<int64_t, kMostHalf + 1>;  // in 2^-kGainBits, by log2 of half an interval
 
-  /// Of a truth that lies anywhere in its interval, variance half²/3, and a fit that is off by a
-  /// variance of its own, the best estimate is so far from the middle towards the fit. The offsets'
-  /// mean square is the sum of both variances; a tenth of the first is always left.
+  /// The scalar is uniformly distributed in its interval, with variance half²/3, and the fit is off
+  /// with a variance of its own. The gain is the part of the way from the middle to the fit at
+  /// which the best estimate lies. The mean square of the offsets is the sum of both variances; the
+  /// fit's is taken to be at least a tenth of the interval's.
   [[nodiscard]] Gains findGains() const {
     const auto variance = [](int log2Half) { return (int64_t{1} << (2 * log2Half)) / 3; };
     int64_t squares = 0, spread = 0;
@@ -110,13 +112,13 @@ class Dequantization {
 
   struct Move {
     uint32_t vertex;
-    int32_t log2Half,
-        offset;  // of the interval, and of the fit from its middle; as the window is scaled
+    /// log2 of half the interval; the fit less the interval's middle; both in the window's scale.
+    int32_t log2Half, offset;
   };
 
   ScalarWindow<D> window_;
   FitWindow<D> fits_;
-  std::array<Move, Scalars<D>::kVertices> moves_;  // of the brick in work
+  std::array<Move, Scalars<D>::kVertices> moves_;  // of the current brick
   std::size_t count_ = 0;
 };
 

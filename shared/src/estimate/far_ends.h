@@ -1,4 +1,4 @@
-// What the far ends of a vertex's crossed edges say about its own scalar: must it be known better?
+// The far ends of a vertex's crossing edges: do they require that its scalar be known better?
 // (§5.3)
 #pragma once
 
@@ -6,19 +6,21 @@
 
 namespace isostar {
 
-/// A crossing lies at |a| / (|a| + |b|) on its edge: |b| decides how far an interval of |a| can
-/// move it.
+/// A crossing lies at |a| / (|a| + |b|) of its edge, so |b| determines how far an interval of |a|
+/// can move it.
 template <int D>
 class FarEnds {
  public:
-  /// How far a crossing may move along an edge of the RBMT, in 1/65536 of it, by the set of axes
-  /// that the edge runs along. The last, the cell's diagonal, is 0 where diagonals do not count.
+  /// How far a crossing may move along an edge of the RBMT, in 1/65536 of the edge, by the set of
+  /// axes along which the edge runs. The last entry, the cell's diagonal, is 0 if diagonals do not
+  /// count.
   using Allowed = std::array<uint32_t, (1u << D)>;
 
-  /// Of a brick, as Scalars keep it: sizes are scaled so that products fit.
+  /// Sets the brick's gradient, as Scalars store it: magnitudes are scaled by it so that products
+  /// fit 64 bits.
   void setGradient(int gradient) { scale_ = std::max(0, gradient / 4 - 17); }
 
-  /// Of vertex x of row r, where their scalars are known.
+  /// Finds the far ends of vertex x of row r whose scalars are known. `mine`: the vertex's sign.
   void find(const ScalarWindow<D>& window, std::size_t r, int x, bool mine,
             const Allowed& allowed) {
     const int32_t* here = &window.value[ScalarWindow<D>::index(r, x)];
@@ -33,13 +35,14 @@ class FarEnds {
     count_ = count;
   }
 
-  /// May an interval of `width` quanta around `middle` half quanta move a crossing on one of the
-  /// edges by more than allowed? Half of it times |b| / (|a| + |b|)² is how far the crossing moves,
-  /// to first order; towards a small end of the interval it is more, and `strict` counts that.
+  /// May an interval of `width` quantization steps around `middle` half quantization steps move a
+  /// crossing on one of the edges by more than allowed? To first order, half the interval times |b|
+  /// / (|a| + |b|)² is how far the crossing moves. Towards a small end of the interval it is more,
+  /// which `strict` takes into account.
   [[nodiscard]] bool move(uint32_t middle, uint32_t width, bool strict) const {
     const uint64_t size = scaled(middle), nearer = strict ? width >> scale_ : 0;
     const uint64_t reach = std::min(uint64_t{width} << 17 >> scale_,
-                                    uint64_t{1} << 41);  // wider than that moves anything
+                                    uint64_t{1} << 41);  // a wider one moves any crossing
     for (std::size_t i = 0; i < count_; ++i) {
       const uint64_t total = ends_[i].size + size;
       if (ends_[i].size * reach > ends_[i].allowed * total * (total - nearer)) return true;
@@ -49,7 +52,7 @@ class FarEnds {
 
  private:
   struct End {
-    uint32_t size;  // of its scalar, half quanta, scaled
+    uint32_t size;  // of its scalar, in half quantization steps, scaled
     uint32_t allowed;
   };
   static constexpr uint32_t kMostSize = 1u << 22;
@@ -65,7 +68,7 @@ class FarEnds {
         axes |= d[a] != 0 ? 1u << a : 0u;
         offset += d[a] * ScalarWindow<D>::stride(a);
       }
-      // Ends are even on all axes of the diagonal, or odd on all.
+      // A diagonal's ends are even on all its axes, or odd on all.
       if (!std::has_single_bit(axes) && axes != 0 &&
           ((parity & axes) == 0 || (parity & axes) == axes))
         count = add(here[offset], mine, allowed[axes], count);
@@ -74,14 +77,15 @@ class FarEnds {
     return count;
   }
 
-  /// Written always, counted where it is one: a branch less that nobody could predict.
+  /// Always writes the entry, but counts it only if it is a far end: this saves an unpredictable
+  /// branch.
   std::size_t add(int32_t value, bool mine, uint32_t allowed, std::size_t count) {
     const auto size = static_cast<uint32_t>(mine ? -int64_t{value} : value);
     ends_[count] = {size, allowed};
     return count + (size - 1 < 0x7FFFFFFFu ? 1 : 0);  // neither is an unknown one
   }
 
-  /// To 22 bits for sizes up to 16 gradients, so that products fit.
+  /// Scaled to 22 bits for scalars up to 16 gradients, so that products fit.
   [[nodiscard]] uint32_t scaled(uint32_t size) const {
     return std::clamp<uint32_t>(size >> scale_, 1, kMostSize);
   }

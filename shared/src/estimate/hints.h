@@ -1,4 +1,4 @@
-// What has been told of where the surface lies, beside its signs and before its scalars.
+// What is known of the surface's location beside the signs and before the scalars.
 #pragma once
 
 #include "estimate/shape_estimate.h"
@@ -6,10 +6,12 @@
 
 namespace isostar {
 
+/// Optional input of estimateMissing(). `displacements` is not owned.
 template <int D>
 struct Hints {
-  SmoothingFilter filter = SmoothingFilter::Middle;  // that places this octave's surface best
-  const Displacements<D>* displacements = nullptr;   // null, or without places: none
+  /// The one that locates this level's surface best.
+  SmoothingFilter filter = SmoothingFilter::Middle;
+  const Displacements<D>* displacements = nullptr;  // null, or an empty table: none
   [[nodiscard]] bool displaced() const {
     return displacements != nullptr && displacements->tableSize() != 0;
   }

@@ -1,4 +1,4 @@
-// A scalar from its neighbours on both sides, where a coarser pass has told them.
+// A scalar interpolated between its neighbours on both sides, where a coarser pass has coded them.
 #pragma once
 
 #include "scalars/scalar_window.h"
@@ -6,12 +6,14 @@
 
 namespace isostar {
 
+/// A prediction from pairs of opposite neighbours.
 template <int D>
 struct Interpolation {
-  int64_t magnitude = 0;  // half quanta
-  int confidence = 0;     // 0: no two opposite neighbours are known … 3
+  int64_t magnitude = 0;  // in half quantization steps
+  int confidence = 0;     // pairs of opposite neighbours that are known, at most 3
 
-  /// The mean of the pairs of opposite neighbours along the axes.
+  /// The mean of the pairs of opposite neighbours along the axes of vertex x in row r. `positive`:
+  /// the vertex's sign.
   static Interpolation of(const ScalarWindow<D>& scalars, std::size_t r, int x, bool positive) {
     const int32_t* here = &scalars.value[ScalarWindow<D>::index(r, x)];
     int64_t sum = 0;
@@ -19,7 +21,7 @@ struct Interpolation {
     forEachAxis<D>([&](auto a) {
       const int32_t before = here[-ScalarWindow<D>::stride(a)],
                     after = here[ScalarWindow<D>::stride(a)];
-      // A mask instead of a branch, which nobody could predict.
+      // A mask instead of an unpredictable branch.
       const int32_t known =
           before == Scalars<D>::kUnknown || after == Scalars<D>::kUnknown ? 0 : -1;
       sum += (int64_t{before} + after) & known;

@@ -1,4 +1,4 @@
-// A scalar by least squares from those around it: the prediction of the passes that halve intervals
+// A scalar predicted by least squares from those around it, for the magnitude refinement passes
 // (§5.3).
 #pragma once
 
@@ -10,14 +10,16 @@
 
 namespace isostar {
 
-/// The linear function that fits the known neighbours along the axes and across two of them best,
-/// each weighed by how well it is known and how far away it is; and the same where the field is as
-/// bent as around here.
+/// The value at a vertex of the linear function that fits its known neighbours best, along the axes
+/// and across two of them. Each neighbour is weighted by how well it is known and how far away it
+/// is. The second value assumes that the field has the curvature found around here.
 template <int D>
 struct LocalFit {
-  int32_t level = 0, bent = 0;  // magnitudes, scaled as in the window
-  int known = 0;                // neighbours; 0 if they are too few
+  /// Magnitudes without and with curvature, in the window's scale.
+  int32_t linear = 0, curved = 0;
+  int known = 0;  // how many neighbours are known; 0 if they are too few for a fit
 
+  /// Fits vertex x in row r. `positive`: the vertex's sign.
   static LocalFit of(const FitWindow<D>& window, std::size_t r, int x, bool positive) {
     Sums sums;
     sums.add(window, r, x);
@@ -32,12 +34,12 @@ struct LocalFit {
   }
 
  private:
-  /// The normal equations of value + slope · offset: unknown 0 is the value here, unknown a + 1 the
-  /// slope along axis a.
+  /// The normal equations of value + slope · offset: unknown 0 is the value at the vertex, unknown
+  /// a + 1 the slope along axis a.
   struct Sums {
     static constexpr int kUnknowns = D + 1;
     std::array<std::array<int32_t, kUnknowns>, kUnknowns> matrix{};  // its lower half
-    std::array<int32_t, kUnknowns> coded{}, bends{};
+    std::array<int32_t, kUnknowns> rightSide{}, bends{};
     int known = 0;
 
     void add(const FitWindow<D>& window, std::size_t r, int x) {
@@ -50,10 +52,12 @@ struct LocalFit {
       (std::make_index_sequence<Direction<D>::kCount>());
     }
 
-    /// Neighbours across are twice as far away, and count for a quarter, but not for nothing.
+    /// The weight of neighbours across two axes, whose squared distance is twice as large: a
+    /// quarter, rounded up so that it is 0 only if `weight` is.
     static int32_t quarter(int32_t weight) { return (weight + 3) >> 2; }
 
-    /// The neighbours in one direction, a constant as the innermost loop's.
+    /// Adds the neighbours in one direction, which is a constant because this is the innermost
+    /// loop.
     template <std::size_t N>
     void addPair(const uint8_t* weights, const int32_t* values, int32_t bend) {
       constexpr Direction<D> kDirection = Direction<D>::all()[N];
@@ -62,15 +66,16 @@ struct LocalFit {
       const int32_t after = weight(weights[kOffset]), before = weight(weights[-kOffset]);
       known += (after != 0 ? 1 : 0) + (before != 0 ? 1 : 0);
       const int32_t sum = after + before, difference = after - before;
-      const int32_t codedAfter = after * values[kOffset], codedBefore = before * values[-kOffset];
+      const int32_t weightedAfter = after * values[kOffset],
+                    weightedBefore = before * values[-kOffset];
       const auto line = [&](int unknown, int sign) {
         matrix[unknown][0] += sign * difference;
         matrix[unknown][unknown] += sum;
-        coded[unknown] += sign * (codedAfter - codedBefore);
+        rightSide[unknown] += sign * (weightedAfter - weightedBefore);
         bends[unknown] += sign * difference * bend;
       };
       matrix[0][0] += sum;
-      coded[0] += codedAfter + codedBefore;
+      rightSide[0] += weightedAfter + weightedBefore;
       bends[0] += sum * bend;
       line(kDirection.first + 1, 1);
       if constexpr (kSecond != 0) {
@@ -79,17 +84,19 @@ struct LocalFit {
       }
     }
 
-    /// The value here as told, and with bends taken off; nothing where the neighbours do not
-    /// determine it. By elimination, in 1/256.
+    /// The value at the vertex, first from the neighbours' values, then with the curvature
+    /// subtracted; nothing if the neighbours do not determine it. Gaussian elimination in units of
+    /// 1/256.
     [[nodiscard]] std::optional<std::array<int64_t, 2>> solve() const {
       constexpr int kBits = 8, kFactorBits = 14;
       std::array<std::array<int64_t, kUnknowns>, kUnknowns> m{};
       std::array<std::array<int64_t, kUnknowns>, 2> right{};
       for (int q = 0; q < kUnknowns; ++q) {
         for (int p = 0; p <= q; ++p) m[q][p] = int64_t{matrix[q][p]} << kBits;
-        if (q > 0) m[q][q] += matrix[0][0] / 4 + 1;  // keeps slopes that nothing tells from growing
-        right[0][q] = coded[q];
-        right[1][q] = int64_t{coded[q]} - bends[q];
+        // Keeps slopes bounded that the neighbours do not determine.
+        if (q > 0) m[q][q] += matrix[0][0] / 4 + 1;
+        right[0][q] = rightSide[q];
+        right[1][q] = int64_t{rightSide[q]} - bends[q];
       }
       for (int p = kUnknowns - 1; p > 0; --p) {
         const int64_t inverse = inverseOf(m[p][p]);
@@ -105,7 +112,8 @@ struct LocalFit {
                                     right[1][0] * inverse >> (31 - kBits)};
     }
 
-    /// 2^31 / n, but for a part in 500: a division would take longer than all the rest.
+    /// 2^31 / n with an error of at most a part in 500: a division would take longer than all the
+    /// rest.
     static int64_t inverseOf(int64_t n) {
       static constexpr std::array<uint32_t, 256> kOfTop = [] {
         std::array<uint32_t, 256> table{};

@@ -1,5 +1,5 @@
-// What the signs around a vertex, and the scalars next to it along the axes, tell of its own
-// scalar.
+// A vertex's scalar predicted from the signs around it and from the scalars next to it along the
+// axes.
 #pragma once
 
 #include <algorithm>
@@ -13,56 +13,60 @@
 
 namespace isostar {
 
-/// Half quanta by which the field changes in a grid step.
-class Steps {
+/// The field's slope: half quantization steps per grid step.
+class SlopeUnit {
  public:
-  /// From a gradient as Scalars keep it.
-  explicit Steps(int log2Quarters = 0) {
+  /// From a gradient as Scalars store it: 4 log2 of quantization steps.
+  explicit SlopeUnit(int quarterLog2 = 0) {
     constexpr std::array<int64_t, 4> kRoots{256, 304, 362, 431};  // 256 · 2^(i/4)
-    const auto clamped = static_cast<unsigned>(std::clamp(log2Quarters, 0, 4 * 32));
+    const auto clamped = static_cast<unsigned>(std::clamp(quarterLog2, 0, 4 * 32));
     steps_ = (kRoots[clamped % 4] << clamped / 4) >> 7;
   }
-  /// An eighth of a step, but not nothing.
+  /// By how much the field changes in an eighth of a grid step, at least 1.
   [[nodiscard]] int64_t eighth() const { return std::max<int64_t>(1, steps_ / 8); }
-  /// As many steps as a ShapeEstimate says. A plane's slope is 2^20 / 181.
+  /// The scalar at the distance that a ShapeEstimate gives. Near a plane a ShapeEstimate grows by
+  /// 2^20 / 181 per grid step.
   [[nodiscard]] int64_t times(int32_t estimate) const { return (estimate * steps_ * 181) >> 20; }
 
  private:
   int64_t steps_;
 };
 
-/// Sizes of scalars in units of 2^shift half quanta, so that 24 bits hold sums of them.
+/// The unit of |scalars| in a Prediction: 2^shift half quantization steps, so that sums of them fit
+/// 24 bits.
 struct SizeUnit {
   static constexpr int kMostSize = 1 << 21;
 
   int shift;
-  Steps steps;  // in these units
+  SlopeUnit steps;  // in these units
 
-  /// From a gradient as Scalars keep it, which has 18 bits at the most.
+  /// From a gradient as Scalars store it; in the unit, it has at most 18 bits.
   explicit SizeUnit(int gradient)
       : shift(std::max(0, gradient / 4 - 17)), steps(gradient - 4 * shift) {}
 };
 
-/// The neighbours along the axes, and a guess from them, in SizeUnits. More of them, and pairs of
-/// opposite ones, were measured to cost time and not to save bytes.
+/// The neighbours along the axes, and a prediction from them, in SizeUnits. Measurements showed
+/// that more neighbours, and pairs of opposite ones, cost time and save no bytes.
 template <int D>
 struct Prediction {
   static constexpr int32_t kLeastEstimate = 256;
 
-  int32_t magnitude = 0;        // the guess
-  int32_t own = 0, theirs = 0;  // what the signs and displacements alone tell of this vertex, and
-                                // of known neighbours summed up
-  int shape = 0;      // 0 … 63: the weighed sum of signs, seen from the vertex's own side
-  int crossings = 0;  // neighbours of the other sign
-  int32_t other = 0, same = 0;  // |scalars| of the known neighbours of each sign, summed up
-  int others = 0, known = 0;    // how many neighbours of the other sign are known, and of both
+  int32_t magnitude = 0;  // the prediction
+  /// What the signs and displacements alone say of this vertex, and the sum of what they say of its
+  /// known neighbours.
+  int32_t own = 0, theirs = 0;
+  int shape = 0;                // 0 … 63: the weighted sum of signs, relative to the vertex's own
+  int crossings = 0;            // how many neighbours have the other sign
+  int32_t other = 0, same = 0;  // sums of |scalar| of the known neighbours of each sign
+  int others = 0, known = 0;  // how many neighbours of the other sign, and of both signs, are known
 
-  /// Of vertex x in row r of the tube's brick, in row `row` of its window. Known neighbours are
-  /// extrapolated along the slope that the signs show. `displaced`: by how much the surface lies
-  /// off where they put it, as a ShapeEstimate counts.
-  ISOSTAR_OFTEN static Prediction of(const ShapeEstimate<D>& shapes, const ScalarWindow<D>& scalars,
-                                     const Tube<D>& tube, int row, std::size_t r, int x, bool mine,
-                                     const SizeUnit& unit, int32_t displaced) {
+  /// Predicts vertex x in row r of the tube's brick, which is row `row` of its window. Known
+  /// neighbours are extrapolated along the slope that the signs show. `mine`: the vertex's sign.
+  /// `displaced`: by how much the surface is displaced from where the signs put it, in the unit of
+  /// a ShapeEstimate.
+  ISOSTAR_HOT static Prediction of(const ShapeEstimate<D>& shapes, const ScalarWindow<D>& scalars,
+                                   const Tube<D>& tube, int row, std::size_t r, int x, bool mine,
+                                   const SizeUnit& unit, int32_t displaced) {
     Prediction p;
     const int32_t estimate = shapes.sum(r, x) - displaced, own = mine ? estimate : -estimate;
     p.own = std::max(own, kLeastEstimate);

@@ -1,4 +1,4 @@
-// Where the signs alone put the surface: a weighed sum of the signs around each vertex of a brick,
+// Where the signs alone put the surface: a weighted sum of the signs around each vertex of a brick,
 // and its gradient.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace isostar {
 
-/// How far around a vertex signs count. Smooth surfaces are placed best by a wide kernel, noise and
-/// coarse octaves by a narrow one.
+/// How far around a vertex signs count. A wide filter locates smooth surfaces best, a narrow one
+/// noise and coarse levels.
 enum class SmoothingFilter : uint8_t { Narrow, Middle, Wide };
 
-/// Weights over the 5^D vertices around, nearly a Gaussian's: the product of 1, 5, 8, 5, 1 on each
-/// axis for the wide kernel, so that the sums are made axis by axis, for a row of eight vertices at
-/// once. In each dimension they are about as large as in three.
+/// Weights over the 5^D vertices around a vertex, close to a Gaussian's. They are separable: for
+/// the wide filter, the product of 1, 5, 8, 5, 1 on each axis. So sums are made axis by axis, for a
+/// row of eight vertices at once. Sums are scaled to be about as large in every dimension as in 3D.
 template <int D>
 class ShapeEstimate {
  public:
@@ -30,6 +30,7 @@ class ShapeEstimate {
     tabulate();
   }
 
+  /// Computes sums and slopes for all vertices of the window's brick.
   void load(const Window<D>& window) {
     for (std::size_t r = 0; r < kRows; ++r) {
       alongRow(smooth_, window.rows[r], fields_[0][r]);
@@ -49,9 +50,10 @@ class ShapeEstimate {
       forRows(D + 1, power(kBrickSide, D - 1), [](Row row) { return row * kWeightSum; });
   }
 
-  /// Of weight · sign at vertex x of row r: grows with the distance to the surface.
+  /// The sum of weight · sign (±1) around vertex x of row r. Its absolute value grows with the
+  /// distance to the surface.
   [[nodiscard]] int32_t sum(std::size_t r, int x) const { return scaled(fields_[0][r][x]); }
-  /// Of weight · sign · offset: points to larger values.
+  /// The sum of weight · sign · offset along an axis: positive where the field grows.
   [[nodiscard]] int32_t slope(int axis, std::size_t r, int x) const {
     return scaled(fields_[static_cast<std::size_t>(axis) + 1][r][x]);
   }
@@ -61,8 +63,9 @@ class ShapeEstimate {
   using Half = std::array<int16_t, 4>;
   static constexpr std::size_t kRows = Window<D>::kRows;
   static constexpr int16_t kWeightSum = 20;
-  /// Of a vertex itself, those beside it and those behind them; their sum over an axis is always
-  /// the same. Then 256ths by which sums are scaled, so that a plane has about the same slope.
+  /// On one axis: the weights of a vertex itself, of those beside it and of those two steps away.
+  /// Their sum over the axis is kWeightSum for every filter. `scale`: by how many 256ths sums are
+  /// multiplied, so that a plane has about the same slope for every filter.
   struct Weights {
     int16_t own, beside, far, scale;
   };
@@ -81,7 +84,8 @@ class ShapeEstimate {
     }
   }
 
-  /// Four vertices from the eight signs around them.
+  /// Fills the tables of sums and slopes along a row, for four vertices by the eight signs around
+  /// them.
   [[gnu::noinline]] ISOSTAR_COLD void tabulate() {
     const std::array<int, 5> weights{far_, beside_, own_, beside_, far_};
     for (unsigned signs = 0; signs < 256; ++signs) {
@@ -100,16 +104,16 @@ class ShapeEstimate {
     }
   }
 
-  /// By halves straight to memory, where they are read as a whole much later: sooner the processor
-  /// would have to wait.
+  /// Writes two halves straight to memory, where they are read as a whole much later: reading them
+  /// at once would stall the processor.
   static void alongRow(const std::array<Half, 256>& table, unsigned signs, Row& row) {
     auto* halves = reinterpret_cast<std::byte*>(&row);
     std::memcpy(halves, &table[signs & 255], sizeof(Half));
     std::memcpy(halves + sizeof(Half), &table[signs >> 4 & 255], sizeof(Half));
   }
 
-  /// From the twelve planes of a window on an axis to the eight of a brick; in place too, as
-  /// nothing is read again once it is written over.
+  /// From the twelve planes of a window on an axis to the eight of a brick. Works in place, because
+  /// nothing is read again after it has been overwritten.
   template <std::size_t Outer, std::size_t Inner>
   void smooth(Row* rows) const {
     forPlanes<Outer, Inner>(rows, rows, [own = own_, beside = beside_, far = far_](const Row* at) {

@@ -1,20 +1,20 @@
-// What bricks keep of one kind, of a brick and of a border around it, copied where every neighbour
-// is a fixed offset away.
+// The items that a brick stores, with a halo of one, copied so that every neighbour is at a fixed
+// offset.
 #pragma once
 
 #include "grid/signs.h"
 
 namespace isostar {
 
-/// `Side` items along a brick, and one on each side of them.
+/// `Side` items along each axis of a brick, and one more on either side of them.
 template <int D, class Item, int Side>
 class HaloWindow {
  public:
   static constexpr int kSide = Side + 2;
   std::array<Item, power(kSide, D)> value{};
 
-  /// By axis: a table, as a compiler that leaves a loop over axes as it is would make powers over
-  /// and over.
+  /// By axis: a table, because a compiler that does not unroll a loop over axes would compute
+  /// powers again and again.
   static constexpr std::array<int, D> kStrides = [] {
     std::array<int, D> strides{};
     for (int a = 0; a < D; ++a)
@@ -22,19 +22,21 @@ class HaloWindow {
     return strides;
   }();
 
+  /// The offset in `value` between neighbours on an axis.
   static constexpr int stride(int axis) { return kStrides[static_cast<std::size_t>(axis)]; }
 
  protected:
-  /// `itemsAt(place)`: of a brick; `nothing`: of one beyond the table.
+  /// Fills `value`. `itemsAt(brickIndex)` returns the items of a brick, the first axis fastest;
+  /// `nothing` are those of a brick beyond the table.
   template <class ItemsAt>
   void gather(const BrickTable<D>& table, const Coordinates<D>& brick, const Item* nothing,
               ItemsAt itemsAt) {
-    std::array<const Item*, power(3, D)> near;
+    std::array<const Item*, power(3, D)> bricks;
     const auto brickIndices = table.around(brick);
-    for (std::size_t n = 0; n < near.size(); ++n)
-      near[n] = brickIndices[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(brickIndices[n]);
+    for (std::size_t n = 0; n < bricks.size(); ++n)
+      bricks[n] = brickIndices[n] == BrickTable<D>::kNowhere ? nothing : itemsAt(brickIndices[n]);
     for (std::size_t i = 0; i < kSources.size(); ++i) {
-      const Item* const* const source = &near[kSources[i].near];
+      const Item* const* const source = &bricks[kSources[i].firstBrick];
       const std::size_t row = kSources[i].row;
       Item* out = &value[i * kSide];
       out[0] = source[0][row + Side - 1];
@@ -44,10 +46,10 @@ class HaloWindow {
   }
 
  private:
-  /// Where a row of the window comes from: the first of three bricks in a row, and the first item
-  /// in each.
+  /// Where a row of the window comes from: the first of three bricks side by side on axis 0, and
+  /// the first item in each.
   struct Source {
-    uint16_t near = 0, row = 0;
+    uint16_t firstBrick = 0, row = 0;
   };
   static constexpr std::array<Source, power(kSide, D - 1)> kSources = [] {
     std::array<Source, power(kSide, D - 1)> sources{};

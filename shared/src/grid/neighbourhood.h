@@ -1,4 +1,5 @@
-// What surrounds a new vertex of the RBMT: its diamond, and the siblings that are told before it.
+// The neighbours of a new vertex of the RBMT: its diamond, and the vertices whose signs are coded
+// before its own.
 #pragma once
 
 #include <array>
@@ -8,48 +9,53 @@
 
 namespace isostar {
 
-/// A neighbour in a Window: rows further and bits further.
-struct Step {
+/// The offset of a neighbour in a Window, in rows and in bits.
+struct NeighbourOffset {
   int16_t rows = 0;
   int8_t bits = 0;
 };
 
-/// The neighbours of a vertex that is fresh on the axes of a set O. Splitting the diagonal of the
-/// cube or face that spans O creates the vertex; its diamond (all simplices around that edge) has
-/// the corners v + {±1}^O and, across the other axes N, v + {-1,0,1}^N without v. After K. Weiss,
-/// L. De Floriani, Diamond hierarchies of arbitrary dimension (2009).
+/// The neighbours of a vertex whose new axes are the set O. Splitting the diagonal of the cube or
+/// face that spans O creates the vertex. Its diamond (all simplices around that edge) has the
+/// corners v + {±1}^O and, across the other axes N, v + {-1,0,1}^N without v. After K. Weiss, L. De
+/// Floriani, Diamond hierarchies of arbitrary dimension (2009).
+///
+/// Vertices with as many new axes form a class; classes with more new axes are coded earlier.
 template <int D>
 struct Neighbourhood {
   static constexpr int kMost = static_cast<int>(power(3, D)) + 5;
-  std::array<Step, kMost> diamond{};  // the corners, then those across
-  std::array<Step, kMost>
-      siblings{};  // of the same class, earlier in the order of rows; nearest first
+  std::array<NeighbourOffset, kMost> diamond{};  // the corners, then those across
+  /// Of the same class, earlier in the order of rows; nearest first.
+  std::array<NeighbourOffset, kMost> siblings{};
   int cornerCount = 0, acrossCount = 0, siblingCount = 0;
-  RowPacks<D> siblingMask;  // those of the siblings that are not outer ones
-  RowPacks<D> farMask;  // the nearest kFar vertices of earlier classes outside the diamond that are
-                        // not outer ones
-  RowPacks<D>
-      outerMask;  // the nearest kOuter that are told before and two steps away on two axes or more
+  RowPacks<D> siblingMask;  // the siblings that are not outer vertices
+  /// The nearest kFar vertices of earlier classes that are neither in the diamond nor outer
+  /// vertices.
+  RowPacks<D> farMask;
+  /// The nearest kOuter vertices that are coded earlier and lie two steps away on at least two
+  /// axes.
+  RowPacks<D> outerMask;
   typename RowPacks<D>::Slices slices{};
-  int weight = 0;                                               // of all vertices that have one
-  static constexpr int kSiblings = 15, kFar = 40, kOuter = 34;  // all there are in space
+  int weight = 0;  // the sum over all neighbours that have one
+  static constexpr int kSiblings = 15, kFar = 40, kOuter = 34;  // in 3D these are all
 
-  /// What a neighbour's sign says of the vertex's own, in 1/kOne of log-odds, rounded from logistic
-  /// regressions over volumes of all kinds: of a corner, of one across on a single axis or on
-  /// several, of a sibling one step away, of a far one, and of an outer one, which tells a bend
-  /// from a slope.
+  /// What a positive neighbour adds to the log-odds of a positive sign, in units of 1/kOne; rounded
+  /// from logistic regressions over volumes of all kinds. For a corner, a vertex across on a single
+  /// axis or on several axes, a sibling one step away, a far vertex, and an outer vertex, which
+  /// distinguishes a bend from a slope.
   static constexpr int kOne = 32, kCorner = 32, kBeside = 44, kAcross = 8, kSibling = 8,
                        kFarOne = 1, kOuterOne = -4;
 
-  /// What is summed up in slices: signs of the diamond, as many as the largest one in space has;
-  /// how many of its corners and of those across are positive; what those within one step that are
-  /// positive weigh.
-  struct Seen {
+  /// What slices sum up: the first kDiamondBits signs of the diamond, as many as the largest
+  /// diamond in 3D has; how many of the corners and of the vertices across are positive; and the
+  /// weight of the positive vertices within one step.
+  struct DiamondSum {
     unsigned diamond, corners, across;
     int weight;
   };
   static constexpr int kDiamondBits = 10, kCountBits = 5;
-  static constexpr Seen unpacked(uint32_t sum) {
+  /// Splits the sum that RowPacks::diamond() returns.
+  static constexpr DiamondSum unpacked(uint32_t sum) {
     constexpr uint32_t kDiamonds = (1u << kDiamondBits) - 1, kCounts = (1u << kCountBits) - 1;
     return {sum & kDiamonds, sum >> kDiamondBits & kCounts,
             sum >> (kDiamondBits + kCountBits) & kCounts,
@@ -65,8 +71,8 @@ struct Neighbourhood {
     slice();
   }
 
-  /// By the set of fresh axes; made once, at run time, since the tables would be a large part of a
-  /// small decoder.
+  /// By the set of new axes. Computed once, at run time: as constants the tables would be a large
+  /// part of a small decoder.
   using All = std::array<Neighbourhood, 1u << D>;
   static const All& all() {
     static const All kAll = [] {
@@ -79,7 +85,7 @@ struct Neighbourhood {
 
  private:
   int farCount = 0, outerCount = 0;
-  std::array<std::array<int, D>, kMost> offsets{};  // of the diamond
+  std::array<std::array<int, D>, kMost> offsets{};  // of the diamond's vertices
 
   constexpr void slice() {
     for (int i = 0; i < diamondCount(); ++i) {
@@ -115,7 +121,7 @@ struct Neighbourhood {
   }
 
   constexpr void addAt(unsigned newAxes, const std::array<int, D>& d, bool corners, bool outer) {
-    Step step;
+    NeighbourOffset step;
     for (int a = 1; a < D; ++a)
       step.rows = static_cast<int16_t>(step.rows + d[a] * Window<D>::rowStride(a));
     step.bits = static_cast<int8_t>(d[0]);

@@ -1,14 +1,14 @@
-// The vertices that a bisection makes in a brick (§5.2), row by row, with the signs around them.
+// The new vertices of a brick (§5.2), class by class and row by row, with the signs around them.
 #pragma once
 
 #include "grid/neighbourhood.h"
 
 namespace isostar {
 
-/// Of the brick that has been entered: its vertices that are fresh on a number of axes, their
-/// *class*. One whose diamond has both signs is *open*; the sign of any other is deduced. Of an
-/// adaptive octave some are absent from the mesh: as is every vertex with an absent one in its
-/// diamond, so that the mesh conforms.
+/// The vertices of the entered brick that have a given number of new axes: one *class*. A vertex
+/// whose diamond has both signs is *open*; the sign of any other is deduced. On a level of an
+/// adaptive mesh some vertices are absent, and so is every new vertex with an absent one in its
+/// diamond: this keeps the mesh conforming.
 template <int D>
 class NewVertexRows {
  public:
@@ -16,9 +16,9 @@ class NewVertexRows {
 
   /// A row with vertices of the class.
   struct Row {
-    int16_t window;   // in the Window
-    uint16_t brick;   // in the Brick
-    uint8_t newAxes;  // the axes on which its vertices are fresh
+    int16_t window;   // the row's number in the Window
+    uint16_t brick;   // the row's number in the Brick
+    uint8_t newAxes;  // the new axes of its vertices, bit a for axis a
     uint8_t members;  // its vertices of the class
     uint8_t open;     // those whose diamond has both signs
     uint8_t absent;   // those that are not in the mesh
@@ -27,7 +27,8 @@ class NewVertexRows {
     [[nodiscard]] Bits deduced() const { return members & ~Bits{open} & ~Bits{absent}; }
   };
 
-  /// `absent`: null where all are in the mesh.
+  /// Finds the rows of a class in a brick. `dimension`: how many new axes the class has, 1 … D.
+  /// `absent`: the absent vertices; null where the mesh has all.
   void enter(const Signs<D>& signs, const Signs<D>* absent, std::size_t brickIndex, int dimension) {
     const auto at = signs.table().brick(brickIndex);
     changed_ = false;
@@ -35,8 +36,8 @@ class NewVertexRows {
     find(signs.lattice(), at, dimension);
     if (absent != nullptr) absent_.load(*absent, at);
     openCount_ = 0;
-    // Of eight rows along axis 1, those on its fresh planes have the same axes, and the others
-    // have.
+    // Of eight rows along axis 1, all on new planes of that axis have the same new axes, and so
+    // have all others: two vectors are enough.
     std::array<typename Window<D>::Rows, 2> crossed{};
     std::array<int, 2> eights{-1, -1};
     for (int i = 0; i < count_; ++i) {
@@ -53,18 +54,18 @@ class NewVertexRows {
     }
   }
 
-  /// The rows alone, with no signs around and nothing open: in all bricks but the last ones the
-  /// same.
+  /// Finds the rows alone, without signs and with no open vertices. They are the same in all bricks
+  /// that the lattice's end does not cut. `at`: the brick's coordinates.
   void find(const Lattice<D>& lattice, const Coordinates<D>& at, int dimension) {
     bool last = false;
     for (int a = 0; a < D; ++a) last = last || (at[a] + 1) * kBrickSide > lattice.last[a];
     const int kind = last ? -1 : dimension;
     if (!last && kind_ == kind) return;
     kind_ = kind;
-    Bits newAxes = 0, inside = 0;
+    Bits newOnAxis0 = 0, inside = 0;
     for (int x = 0; x < kBrickSide && at[0] * kBrickSide + x <= lattice.last[0]; ++x) {
       inside |= 1u << x;
-      if (lattice.isNew(0, at[0] * kBrickSide + x)) newAxes |= 1u << x;
+      if (lattice.isNew(0, at[0] * kBrickSide + x)) newOnAxis0 |= 1u << x;
     }
     count_ = 0;
     Coordinates<D> v{};
@@ -77,7 +78,7 @@ class NewVertexRows {
         if (lattice.isNew(a, plane)) o |= 1u << a;
       }
       const int left = dimension - std::popcount(o);
-      const Bits members = left == 1 ? newAxes : left == 0 ? inside & ~newAxes : 0;
+      const Bits members = left == 1 ? newOnAxis0 : left == 0 ? inside & ~newOnAxis0 : 0;
       if (in && members != 0) {
         rows_[count_++] = {Window<D>::kOwnRows[r],
                            static_cast<uint16_t>(r),
@@ -90,22 +91,24 @@ class NewVertexRows {
     }
   }
 
+  /// How many rows have vertices of the class; row(i) are these rows, in order.
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] const Row& row(int i) const { return rows_[i]; }
-  /// Of the rows that had open vertices when the brick was entered.
+  /// How many rows had open vertices when the brick was entered; open(i) are these rows.
   [[nodiscard]] int openCount() const { return openCount_; }
   [[nodiscard]] Row& open(int i) { return rows_[open_[static_cast<std::size_t>(i)]]; }
 
-  /// The signs of a row as in a Window, and those of the rows around at Steps from it; who writes
-  /// says so by setChanged().
+  /// The signs of a row as in a Window; those of rows around are at the offsets of Steps. A caller
+  /// that changes a sign reports it with setChanged().
   [[nodiscard]] uint16_t* signs(const Row& row) { return &signs_.rows[row.window]; }
   [[nodiscard]] const uint16_t* signs(const Row& row) const { return &signs_.rows[row.window]; }
   void setChanged(bool changed) { changed_ = changed_ || changed; }
-  /// The same of absent vertices.
+  /// The absent vertices of a row, in the same layout. Valid only after enter() with `absent`.
   [[nodiscard]] uint16_t* absent(const Row& row) { return &absent_.rows[row.window]; }
 
-  /// Has a sign turned since the brick was entered?
+  /// Has a sign changed since the brick was entered?
   [[nodiscard]] bool changed() const { return changed_; }
+  /// Writes the signs of the brick itself back.
   void store(Signs<D>& signs, std::size_t brickIndex) const {
     auto& rows = signs.writable(brickIndex).rows;
     for (std::size_t r = 0; r < rows.size(); ++r)
@@ -115,8 +118,8 @@ class NewVertexRows {
  private:
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
 
-  /// Which vertices of eight rows have a diamond of both signs, if they are fresh on these axes:
-  /// all at once.
+  /// Which vertices of eight rows have both signs in their diamond, provided that these are their
+  /// new axes.
   [[nodiscard]] typename Window<D>::Rows crossing(int first, unsigned newAxes) const {
     const auto& n = neighbourhoods_[newAxes];
     typename Window<D>::Rows some{}, all = ~some;
@@ -129,7 +132,7 @@ class NewVertexRows {
     return some & ~all;
   }
 
-  /// Which vertices of a row have a diamond with a vertex that is not in the mesh.
+  /// Which vertices of a row have an absent vertex in their diamond.
   [[nodiscard]] Bits besideAbsent(const Row& row) const {
     const auto& n = neighbourhoods_[row.newAxes];
     Bits any = 0;
@@ -144,9 +147,10 @@ class NewVertexRows {
   Window<D> signs_, absent_;
   std::array<Row, kRows> rows_;
   int count_ = 0;
-  std::array<uint16_t, kRows> open_;  // which of them have open vertices
+  std::array<uint16_t, kRows> open_;  // the numbers of rows with open vertices
   int openCount_ = 0;
-  int kind_ = -1;  // the class that rows_ are of; -1 where they are of a last brick
+  /// The class of rows_; -1 where they are of a brick that the lattice's end cuts.
+  int kind_ = -1;
   bool changed_ = false;
 };
 

@@ -1,5 +1,5 @@
-// From one octave's signs to the next (§5.2): what the coarser one tells of the finer, and where it
-// may still change.
+// From the signs of one refinement level to those of the next (§5.2), and which bricks of a level
+// the surface may touch.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace isostar {
 
-/// An odd last plane is the coarser octave's last plane, not its last but one as refined() has it
-/// at first.
+/// Sets the last plane on an axis where it is odd: it coincides with the coarser level's last
+/// plane, but refined() first copies the plane before that one.
 template <int D>
 void copyEndPlane(const Signs<D>& coarse, Signs<D>& fine, int axis) {
   const auto& lattice = fine.lattice();
@@ -29,8 +29,8 @@ void copyEndPlane(const Signs<D>& coarse, Signs<D>& fine, int axis) {
   }
 }
 
-/// The signs of the next octave as far as the coarser one tells: a fresh vertex has its lower
-/// neighbour's sign for now.
+/// The signs of the next finer level as far as the coarser level determines them: a new vertex has
+/// the sign of its lower neighbour until its own is known.
 template <int D>
 Signs<D> refined(const Signs<D>& coarse) {
   // Each bit of a nibble twice.
@@ -42,7 +42,7 @@ Signs<D> refined(const Signs<D>& coarse) {
     const auto at = table.brick(brickIndex);
     Coordinates<D> half;
     for (int a = 0; a < D; ++a) half[a] = at[a] / 2;
-    const uint32_t index = coarse.index(coarse.table().index(half));
+    const uint32_t index = coarse.slot(coarse.table().index(half));
     if (index <= Signs<D>::kPositive) {
       fine.setUniform(brickIndex, index);
       continue;
@@ -65,24 +65,24 @@ Signs<D> refined(const Signs<D>& coarse) {
   return fine;
 }
 
-/// The most bricks that refined() makes of an octave, on the table of the finer one.
+/// The most bricks that refined() makes. `finer`: the finer level's table.
 template <int D>
 uint64_t mostRefinedBricks(const Signs<D>& coarse, const BrickTable<D>& finer) {
   uint64_t bricks = uint64_t{coarse.brickCount()} << D;
-  for (int a = 0; a < D; ++a)
-    bricks += finer.total() /
-              static_cast<std::size_t>(finer.count(a));  // by the coarser octave's end planes
+  // The bricks that copyEndPlane() changes.
+  for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));
   return bricks;
 }
 
-/// The even bits of a byte, side by side.
+/// The even bits of a byte, packed into four bits.
 constexpr unsigned evenBits(unsigned byte) {
   byte &= 0x55;
   byte = (byte | byte >> 1) & 0x33;
   return (byte | byte >> 2) & 0x0F;
 }
 
-/// The uniform brick that all bricks share which a brick of the coarser octave covers.
+/// The uniform brick that all finer bricks share which a brick of the coarser level covers; nothing
+/// if they do not share one. `at`: the coarser brick's coordinates.
 template <int D>
 std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>& at) {
   std::optional<uint32_t> common;
@@ -90,15 +90,15 @@ std::optional<uint32_t> uniformBelow(const Signs<D>& fine, const Coordinates<D>&
     Coordinates<D> finer;
     for (int a = 0; a < D; ++a)
       finer[a] = std::min(at[a] * 2 + static_cast<int32_t>(n >> a & 1), fine.table().count(a) - 1);
-    const uint32_t index = fine.index(fine.table().index(finer));
+    const uint32_t index = fine.slot(fine.table().index(finer));
     if (index > Signs<D>::kPositive || index != common.value_or(index)) return std::nullopt;
     common = index;
   }
   return common;
 }
 
-/// A brick of the coarser octave; beyond the lattice its last plane goes on, as it does in the
-/// finer bricks.
+/// A brick of the coarser level. Beyond the lattice the last plane is repeated, as in the finer
+/// bricks. `at`: the brick's coordinates.
 template <int D>
 Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
   const auto& table = fine.table();
@@ -126,7 +126,7 @@ Brick<D> coarsenedBrick(const Signs<D>& fine, const Coordinates<D>& at) {
   return brick;
 }
 
-/// The signs of the octave before, whose vertices are some of this one's.
+/// The signs of the next coarser level, whose vertices are a part of this level's.
 template <int D>
 Signs<D> coarsened(const Signs<D>& fine) {
   Signs<D> coarse(Lattice<D>(fine.lattice().box, fine.lattice().step * 2));
@@ -142,8 +142,7 @@ Signs<D> coarsened(const Signs<D>& fine) {
   return coarse;
 }
 
-/// Has the part of a mixed brick that faces the direction -d a vertex that is not of the sign
-/// given?
+/// Does the side of a brick that faces the direction -d have a vertex whose sign is not `uniform`?
 template <int D>
 bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t uniform) {
   const unsigned mask = d[0] == 0 ? 0xFFu : d[0] > 0 ? 0x01u : 0x80u;
@@ -163,15 +162,15 @@ bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t unifo
   }
 }
 
-/// Does a uniform brick touch a vertex of the other sign?
+/// Does a uniform brick touch a vertex of the other sign? `at`: the brick's coordinates.
 template <int D>
 bool touchesOther(const Signs<D>& signs, std::size_t brickIndex, const Coordinates<D>& at) {
-  const uint32_t uniform = signs.index(brickIndex);
+  const uint32_t uniform = signs.slot(brickIndex);
   Coordinates<D> d;
   d.fill(-1);
   for (const std::size_t other : signs.table().around(at)) {
     if (other != BrickTable<D>::kNowhere) {
-      const uint32_t index = signs.index(other);
+      const uint32_t index = signs.slot(other);
       if (index <= Signs<D>::kPositive ? index != uniform
                                        : facingVaries<D>(signs.brick(index), d, uniform))
         return true;
@@ -181,27 +180,27 @@ bool touchesOther(const Signs<D>& signs, std::size_t brickIndex, const Coordinat
   return false;
 }
 
-/// Marks the bricks that hold both signs or touch a vertex of the other sign; 1 marked, 0 quiet, by
-/// place.
+/// The active bricks: 1 for each brick index whose brick holds both signs or touches a vertex of
+/// the other sign, else 0.
 template <int D>
 std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
   const auto& table = signs.table();
   std::vector<uint8_t> active(table.total(), 0);
   Coordinates<D> at{};
   for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex, table.advance(at)) {
-    const bool mixed = signs.index(brickIndex) > Signs<D>::kPositive;
+    const bool mixed = signs.slot(brickIndex) > Signs<D>::kPositive;
     if (mixed) active[brickIndex] = 1;
     bool differs = false;
     for (int a = 0; a < D && !mixed; ++a) {
       differs = differs || (at[a] + 1 < table.count(a) &&
-                            signs.index(brickIndex + table.stride(a)) != signs.index(brickIndex));
+                            signs.slot(brickIndex + table.stride(a)) != signs.slot(brickIndex));
     }
     if (!mixed && !differs) continue;
     Coordinates<D> from, to;
     for (int a = 0; a < D; ++a) {
       from[a] = std::max(at[a] - 1, 0);
-      to[a] = std::min(at[a] + (mixed ? 1 : 2),
-                       table.count(a) - 1);  // a brick that differs is one further
+      // The brick that differs is one further.
+      to[a] = std::min(at[a] + (mixed ? 1 : 2), table.count(a) - 1);
     }
     for (auto v = from;;) {
       uint8_t& mark = active[table.index(v)];
@@ -218,17 +217,17 @@ std::vector<uint8_t> activeBricks(const Signs<D>& signs) {
   return active;
 }
 
-/// After vertices of a brick have changed: marks its quiet neighbours that now touch a vertex of
-/// the other sign.
+/// Updates `active` after vertices of a brick have changed: marks the brick, and those of its
+/// neighbours that now touch a vertex of the other sign.
 template <int D>
 void activateAround(const Signs<D>& signs, std::size_t brickIndex, std::vector<uint8_t>& active) {
   const auto& table = signs.table();
   active[brickIndex] = 1;
-  Coordinates<D> d;  // in which the brick lies, seen from a neighbour
+  Coordinates<D> d;  // the direction from a neighbour to the brick
   d.fill(1);
   for (const std::size_t other : table.around(table.brick(brickIndex))) {
     if (other != BrickTable<D>::kNowhere && active[other] == 0 &&
-        facingVaries<D>(signs.brickAt(brickIndex), d, signs.index(other)))
+        facingVaries<D>(signs.brickAt(brickIndex), d, signs.slot(other)))
       active[other] = 1;
     for (int a = 0; a < D && --d[a] == -2; ++a) d[a] = 1;
   }

@@ -1,5 +1,5 @@
-// The rows of signs around one, packed into words: hundreds of neighbours are counted by a few
-// masks and tables.
+// The rows of signs around a row, packed into words, so that a few masks and tables count hundreds
+// of neighbours.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace isostar {
 
-/// The 5^(D-1) rows around one, five to a word, so that neighbours are counted by a mask.
+/// The 5^(D-1) rows around a row of a Window, five to a word. A set of neighbours is a mask of the
+/// same layout.
 template <int D>
 struct RowPacks {
   static constexpr std::size_t kWords = power(5, D - 2);
@@ -19,7 +20,7 @@ struct RowPacks {
   static_assert(5 * kBits <= 64);
   std::array<uint64_t, kWords> words{};
 
-  /// The rows around a row of a window.
+  /// Packs the rows around `row`, which lies in a Window with two rows on every side.
   static RowPacks around(const uint16_t* row) {
     RowPacks packs;
     for (std::size_t w = 0; w < kWords; ++w) {
@@ -29,12 +30,13 @@ struct RowPacks {
     }
     return packs;
   }
-  /// Turns the sign at bit `at` of the row in the middle, if it is to be turned (1 or 0).
+  /// Flips the sign at bit `at` of the row in the middle if `flipped` is 1; leaves it if it is 0.
   void flip(unsigned flipped, int at) {
     words[kWords / 2] ^= uint64_t{flipped} << (2 * kBits + at);
   }
 
-  /// How many vertices of a mask are positive, seen from bit `at` of the row in the middle.
+  /// How many vertices of a mask are positive. The mask is centred on bit `at` of the row in the
+  /// middle.
   [[nodiscard]] unsigned count(const RowPacks& mask, int at) const {
     int positive = 0;
     for (std::size_t w = 0; w < kWords; ++w)
@@ -42,28 +44,28 @@ struct RowPacks {
     return static_cast<unsigned>(positive);
   }
 
-  /// For the nine (3^2) signs of each plane of the 3^D around: what they add to
-  /// Neighbourhood::Seen.
+  /// For each of the 3^(D-2) planes of 3^2 neighbours: by the nine signs in it, what they add to
+  /// the packed sum that Neighbourhood::unpacked() reads.
   using Slices = std::array<std::array<uint32_t, 512>, power(3, D - 2)>;
 
-  /// The slices' sum, seen from bit `at` of the row in the middle.
+  /// The sum over the slices of the 3^D vertices around bit `at` of the row in the middle.
   [[nodiscard]] uint32_t diamond(const Slices& slices, int at) const {
     uint32_t seen = 0;
     for (std::size_t s = 0; s < slices.size(); ++s) {
-      const uint64_t rows = words[kNearWords[s]] >> (at - 1 + kBits);
+      const uint64_t rows = words[kInnerWords[s]] >> (at - 1 + kBits);
       seen += slices[s][(rows & 7) | (rows >> (kBits - 3) & 56) | (rows >> (2 * kBits - 6) & 448)];
     }
     return seen;
   }
 
-  /// Adds a neighbour, two steps away at the most on each axis, to a mask.
+  /// Adds a neighbour to a mask. `d`: its offset, within ±2 on each axis.
   constexpr void add(const std::array<int, D>& d) {
     std::size_t word = 0;
     for (int a = D - 1; a >= 2; --a) word = word * 5 + static_cast<std::size_t>(d[a] + 2);
     words[word] |= uint64_t{1} << ((d[1] + 2) * kBits + d[0] + 2);
   }
 
-  /// The word, and the bit among its nine, of a neighbour one step away at the most on each axis.
+  /// The slice of a neighbour and its bit there. `d`: its offset, within ±1 on each axis.
   static constexpr std::pair<std::size_t, int> sliceOf(const std::array<int, D>& d) {
     std::size_t slice = 0;
     for (int a = D - 1; a >= 2; --a) slice = slice * 3 + static_cast<std::size_t>(d[a] + 1);
@@ -71,15 +73,15 @@ struct RowPacks {
   }
 
  private:
-  static constexpr std::array<std::size_t, power(3, D - 2)> kNearWords = [] {
-    std::array<std::size_t, power(3, D - 2)> near{};
-    for (std::size_t s = 0; s < near.size(); ++s) {
+  static constexpr std::array<std::size_t, power(3, D - 2)> kInnerWords = [] {
+    std::array<std::size_t, power(3, D - 2)> inner{};
+    for (std::size_t s = 0; s < inner.size(); ++s) {
       std::size_t word = 0, digits = s;
-      for (std::size_t brickIndex = 1, a = 2; a < D; ++a, digits /= 3, brickIndex *= 5)
-        word += (digits % 3 + 1) * brickIndex;
-      near[s] = word;
+      for (std::size_t stride = 1, a = 2; a < D; ++a, digits /= 3, stride *= 5)
+        word += (digits % 3 + 1) * stride;
+      inner[s] = word;
     }
-    return near;
+    return inner;
   }();
   static constexpr std::array<int, kWords> kFirst = [] {
     std::array<int, kWords> first{};

@@ -1,4 +1,4 @@
-// The tube's vertices in a brick of the finest octave: those whose scalars shape the surface.
+// The tube's vertices in a brick of the finest level: those whose scalars determine the surface.
 #pragma once
 
 #include <bit>
@@ -7,17 +7,19 @@
 
 namespace isostar {
 
-/// Two classes (§5.3): ends of crossing axis edges, all that `cubes` needs; and the other ends of
-/// crossing edges of the RBMT, its diagonals, that only `tetrahedra` needs.
+/// The two classes of the tube's vertices (§5.3). AxisEnds: ends of crossing axis edges, all that
+/// Polygonizer::Cubes needs. DiagonalEnds: the other ends of crossing edges of the RBMT, its
+/// diagonals, which only Polygonizer::Tetrahedra needs.
 enum class Members : uint8_t { AxisEnds, DiagonalEnds };
 
-/// Vertices of a brick as a set of bits; a word has eight rows.
+/// A set of vertices of a brick, as bits. A word holds eight rows.
 template <int D>
 struct VertexSet {
   static constexpr std::size_t kWords = power(kBrickSide, D) / 64;
   std::array<uint64_t, kWords> words{};
 
-  /// A brick's vertices on planes up to the last one on each axis.
+  /// The vertices of a brick that lie on planes 0 … last of each axis. `brick`: its brick
+  /// coordinates.
   static VertexSet upTo(const Coordinates<D>& last, const Coordinates<D>& brick) {
     VertexSet set;
     set.words.fill(~uint64_t{0});
@@ -40,14 +42,14 @@ struct VertexSet {
     return set;
   }
 
-  /// Vertex x of row r, in word r / 8.
+  /// The bit of vertex x of row r, in word r / 8.
   static uint64_t bit(std::size_t r, int x) {
     return uint64_t{1} << (r % kBrickSide * kBrickSide + static_cast<unsigned>(x));
   }
   [[nodiscard]] bool has(std::size_t r, int x) const {
     return (words[r / kBrickSide] & bit(r, x)) != 0;
   }
-  /// Calls visit(r, x) for each in order.
+  /// Calls visit(r, x) for each vertex in order.
   template <class Visit>
   void forEach(Visit visit) const {
     for (std::size_t w = 0; w < kWords; ++w) {
@@ -62,7 +64,7 @@ struct VertexSet {
 template <int D>
 class Tube {
  public:
-  /// Not copied to each place that calls it: a page's decoder is to be small.
+  /// Finds the members of one class in a brick. Not inlined, to keep the WebAssembly decoder small.
   [[gnu::noinline]] void enter(const Signs<D>& signs, std::size_t brickIndex, Members members) {
     table_ = &signs.table();
     at_ = table_->brick(brickIndex);
@@ -74,7 +76,7 @@ class Tube {
     keepOnly([&](std::size_t r, int x) { return !ends.has(r, x); });
   }
 
-  /// Adds the other class to the axis ends entered.
+  /// Adds the diagonal ends to the axis ends that were entered.
   void addDiagonalEnds(const Signs<D>& signs) {
     const auto inside = VertexSet<D>::upTo(signs.lattice().last, at_);
     Coordinates<D> v{};
@@ -88,7 +90,7 @@ class Tube {
     }
   }
 
-  /// Leaves out the members that `keeps(r, x)` does not want.
+  /// Removes the members for which `keeps(r, x)` is false.
   template <class Keeps>
   void keepOnly(Keeps keeps) {
     VertexSet<D> kept;
@@ -99,19 +101,25 @@ class Tube {
     for (std::size_t w = 0; w < kept.words.size(); ++w) positive_.words[w] &= kept.words[w];
   }
 
+  /// Does the brick have no members?
   [[nodiscard]] bool empty() const {
     return std::all_of(members_.words.begin(), members_.words.end(),
                        [](uint64_t w) { return w == 0; });
   }
+  /// The members found in the entered brick.
   [[nodiscard]] const VertexSet<D>& members() const { return members_; }
+  /// The signs of the entered brick.
   [[nodiscard]] const Window<D>& window() const { return window_; }
+  /// The table of the signs that were entered, which is not owned.
   [[nodiscard]] const BrickTable<D>& table() const { return *table_; }
+  /// The brick's coordinates among bricks.
   [[nodiscard]] const Coordinates<D>& at() const { return at_; }
+  /// `row`: of the window.
   [[nodiscard]] bool positive(int row, int x) const {
     return (window_.rows[row] >> (x + Window<D>::kHalo) & 1) != 0;
   }
 
-  /// How many of a vertex's neighbours along the axes are positive.
+  /// How many of the 2 D neighbours along the axes are positive. `row`: of the window.
   [[nodiscard]] int positivesBeside(int row, int x) const {
     int count = std::popcount(bits(row) >> (x + Window<D>::kHalo - 1) & 5u);
     for (int a = 1; a < D; ++a)
@@ -127,7 +135,7 @@ class Tube {
     return odd;
   }
 
-  /// Calls visit(window row, brick row, x) for each member of a sign in order.
+  /// Calls visit(window row, brick row, x) for each member of one sign in order.
   template <class Visit>
   void forEach(bool positive, Visit visit) const {
     VertexSet<D> set = positive_;
@@ -148,7 +156,7 @@ class Tube {
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
   [[nodiscard]] uint32_t bits(int row) const { return window_.rows[row]; }
 
-  /// Eight rows at a time.
+  /// Finds the ends of crossing axis edges, eight rows at a time.
   void findAxisEnds(const Lattice<D>& lattice) {
     members_ = VertexSet<D>::upTo(lattice.last, at_);
     for (std::size_t w = 0; w < members_.words.size(); ++w) {
@@ -170,8 +178,8 @@ class Tube {
     return word;
   }
 
-  /// An edge of the RBMT along several axes joins a vertex even on all of them to one odd on all of
-  /// them.
+  /// The vertices of a row that are ends of crossing diagonals. An edge of the RBMT along several
+  /// axes joins a vertex that is even on all of them to one that is odd on all of them.
   [[nodiscard]] uint32_t diagonalEnds(const Coordinates<D>& v) const {
     const uint32_t mine = bits(Window<D>::row(v));
     uint32_t crossing = 0;

@@ -1,5 +1,5 @@
-// The open vertices of a lattice, and those of them beside a vertex of the other sign: where a
-// surface goes on.
+// The vertices of a lattice whose sign is still open, and those of them beside a vertex of the
+// other sign: where a surface may continue.
 #pragma once
 
 #include <bit>
@@ -9,12 +9,13 @@
 
 namespace isostar {
 
-/// Signs that are being found out. Bricks wait in a queue; one is entered at a time, looked at with
-/// its surroundings and left, upon which its neighbours wait again if it has changed.
+/// Signs that are being determined. Bricks wait in a queue. They are entered one at a time,
+/// examined in a window and left; if a brick has changed, it and its neighbours are queued again.
 template <int D>
 class VertexFront {
  public:
-  /// Open are the vertices that are not negative below and not positive above; null stands for all.
+  /// Opens the vertices that are not negative in `below` and not positive in `above`; null stands
+  /// for all. `signs` are changed by close() and must outlive the front until end().
   [[gnu::noinline]] void begin(Signs<D>& signs, const Signs<D>* below, const Signs<D>* above) {
     signs_ = &signs;
     open_ = Signs<D>(signs.lattice());
@@ -23,8 +24,8 @@ class VertexFront {
     first_ = waiting_ = 0;
     const auto& lattice = signs.lattice();
     for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) {
-      if ((below != nullptr && below->index(brickIndex) == Signs<D>::kNegative) ||
-          (above != nullptr && above->index(brickIndex) == Signs<D>::kPositive))
+      if ((below != nullptr && below->slot(brickIndex) == Signs<D>::kNegative) ||
+          (above != nullptr && above->slot(brickIndex) == Signs<D>::kPositive))
         continue;
       const auto at = signs.table().brick(brickIndex);
       Brick<D> brick;
@@ -38,26 +39,29 @@ class VertexFront {
     }
   }
 
+  /// How many bricks the lattice's table has.
   [[nodiscard]] std::size_t tableSize() const { return signs_->table().total(); }
+  /// May the brick have open vertices?
   [[nodiscard]] bool open(std::size_t brickIndex) const {
-    return open_.index(brickIndex) != Signs<D>::kNegative;
+    return open_.slot(brickIndex) != Signs<D>::kNegative;
   }
+  /// The open vertices of row r of a brick, bit x for vertex x.
   [[nodiscard]] uint32_t openRow(std::size_t brickIndex, std::size_t r) const {
     return open_.brickAt(brickIndex).rows[r];
   }
-  /// Bytes in use, while one more brick is made, or while the signs become tidy.
+  /// Bytes in use while one more brick is made, or while end() compacts the signs.
   [[nodiscard]] uint64_t memory() const {
-    return open_.memory() + tableSize() * kBytesOfPosition +
+    return open_.memory() + tableSize() * kBytesPerEntry +
            Signs<D>::memoryToFill(tableSize(), signs_->brickCount());
   }
-  /// Bytes that it takes at most to begin between signs with so many bricks.
+  /// The most bytes that begin() takes. `bricks`: the most that `below` and `above` have together.
   [[nodiscard]] static uint64_t memoryToBegin(const BrickTable<D>& table, uint64_t bricks) {
-    for (int a = 0; a < D; ++a)
-      bricks += table.total() / static_cast<std::size_t>(table.count(a));  // the lattice's end
-    return table.total() * kBytesOfPosition + Signs<D>::memoryToFill(table.total(), bricks);
+    /// Bricks that the lattice's end cuts.
+    for (int a = 0; a < D; ++a) bricks += table.total() / static_cast<std::size_t>(table.count(a));
+    return table.total() * kBytesPerEntry + Signs<D>::memoryToFill(table.total(), bricks);
   }
 
-  /// Closes a vertex of a brick with a sign; that of the entered one shows at once.
+  /// Decides the sign of an open vertex. In the window of the entered brick it shows at once.
   [[gnu::noinline]] void close(std::size_t brickIndex, std::size_t r, int x, bool positive) {
     open_.writable(brickIndex).rows[r] &= static_cast<uint8_t>(~(1u << x));
     if ((signs_->brickAt(brickIndex).rows[r] >> x & 1) == (positive ? 1u : 0u)) return;
@@ -70,7 +74,7 @@ class VertexFront {
   void queueAll() {
     for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex) queue(brickIndex);
   }
-  /// The brick that has waited longest.
+  /// Removes the brick that has waited longest from the queue; nothing if none waits.
   [[nodiscard]] std::optional<std::size_t> next() {
     if (waiting_ == 0) return std::nullopt;
     const std::size_t brickIndex = queue_[first_];
@@ -80,6 +84,7 @@ class VertexFront {
     return brickIndex;
   }
 
+  /// Loads the window of a brick; leave() must follow before the next one is entered.
   void enter(std::size_t brickIndex) {
     entered_ = brickIndex;
     changed_ = false;
@@ -90,7 +95,7 @@ class VertexFront {
     changed_ = false;
     entered_ = SIZE_MAX;
   }
-  /// What became of the signs: bricks of a single one are shared again.
+  /// Finishes: bricks of a single sign share their storage again. The front is empty afterwards.
   void end() {
     Signs<D> tidy(signs_->lattice());
     for (std::size_t brickIndex = 0; brickIndex < tableSize(); ++brickIndex)
@@ -99,14 +104,15 @@ class VertexFront {
     *this = VertexFront();
   }
 
-  /// Of the entered brick.
+  /// Of the entered brick, as are the signs below.
   [[nodiscard]] const Window<D>& window() const { return window_; }
   [[nodiscard]] bool positive(std::size_t r, int x) const { return bit(Window<D>::kOwnRows[r], x); }
   [[nodiscard]] bool neighbour(std::size_t r, int x, int axis, int side) const {
     const int row = Window<D>::kOwnRows[r];
     return axis == 0 ? bit(row, x + side) : bit(row + side * Window<D>::rowStride(axis), x);
   }
-  /// The open vertices of a row that have a neighbour of the other sign on an axis.
+  /// The open vertices of row r of the entered brick that have a neighbour of the other sign along
+  /// an axis, bit x for vertex x.
   [[nodiscard]] uint32_t beside(std::size_t brickIndex, std::size_t r) const {
     const uint32_t open = openRow(brickIndex, r);
     if (open == 0) return 0;
@@ -120,9 +126,9 @@ class VertexFront {
   }
 
  private:
-  static constexpr uint64_t kBytesOfPosition = 1 + sizeof(std::size_t);  // queued, and in the queue
+  static constexpr uint64_t kBytesPerEntry = 1 + sizeof(std::size_t);  // of queued_ and queue_
 
-  /// The vertices of a row of a brick that the lattice has.
+  /// The vertices of row r of a brick that lie in the lattice. `at`: the brick's coordinates.
   static uint8_t inside(const Lattice<D>& lattice, const Coordinates<D>& at, std::size_t r) {
     for (int a = 1; a < D; ++a, r /= kBrickSide) {
       if (at[a] * kBrickSide + static_cast<int32_t>(r % kBrickSide) > lattice.last[a]) return 0;
@@ -150,9 +156,9 @@ class VertexFront {
   }
 
   Signs<D>* signs_ = nullptr;
-  Signs<D> open_;  // 1: open
+  Signs<D> open_;  // bit set: open
   std::vector<uint8_t> queued_;
-  std::vector<std::size_t> queue_;  // a ring: no brick waits twice
+  std::vector<std::size_t> queue_;  // a ring buffer; no brick is in it twice
   std::size_t first_ = 0, waiting_ = 0;
   Window<D> window_;
   std::size_t entered_ = SIZE_MAX;

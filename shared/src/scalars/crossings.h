@@ -1,4 +1,4 @@
-// The crossed edges of an octave: where the surface's vertices are.
+// The crossing edges of a lattice: the surface has one vertex on each.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace isostar {
 
-/// Which edges along a set of axes from the vertices of a row (of a Window, row r of its brick) are
-/// crossed; bit x for the edge from vertex x. An edge along several axes is the diagonal of a face
-/// or cell that the RBMT has (§4.3): it joins the vertex that is even on these axes with the one
-/// that is odd on them.
+/// The crossing edges along a set of axes from the vertices of a row. `row`: the row's number in
+/// the window; `r`: its number in the brick. Bit x is the edge from vertex x. An edge along several
+/// axes is the diagonal of a face or cell that the RBMT has (§4.3): it joins the vertex that is
+/// even on these axes with the one that is odd on them.
 template <int D>
 uint32_t crossedEdges(const Window<D>& window, int row, unsigned r, unsigned axes) {
   int evenRow = row, oddRow = row;
@@ -29,7 +29,8 @@ uint32_t crossedEdges(const Window<D>& window, int row, unsigned r, unsigned axe
   return ((even ^ odd >> 1) & 0x55) | ((even >> 1 ^ odd) & 0xAA);
 }
 
-/// The vertices of row r of a brick from which edges along a set of axes stay inside the lattice.
+/// The vertices of row r of a brick from which an edge along a set of axes stays inside the
+/// lattice; bit x is vertex x.
 template <int D>
 uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coordinates<D>>& brick,
                      unsigned r, unsigned axes) {
@@ -44,8 +45,9 @@ uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coord
   return (1u << count) - 1;
 }
 
-/// Calls enter(place) for each marked brick and then visit(brick, row, axes, crossed) for its rows
-/// with edges along a set of axes that are crossed, bit x of `crossed` for the edge from vertex x.
+/// Calls enter(brickIndex) for each marked brick, then visit(brick, row, axes, crossed) for each of
+/// its rows and each set of axes with crossing edges. Bit x of `crossed` is the edge from vertex x.
+/// `marked`: by brick index. `diagonals`: whether to visit sets of several axes.
 template <int D, class Enter, class Visit>
 void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals,
                     Enter enter, Visit visit) {
@@ -69,8 +71,7 @@ void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, b
   }
 }
 
-/// How many axis edges of the marked bricks have ends of both signs: the vertices of marching
-/// cubes.
+/// The number of crossing axis edges of the marked bricks: the vertices of marching cubes.
 template <int D>
 uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marked) {
   uint64_t count = 0;
@@ -82,7 +83,8 @@ uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marke
   return count;
 }
 
-/// The two ends of an edge: offsets from vertex x of row r in lattice planes and in a ScalarWindow.
+/// The two ends of an edge from vertex x of row r of a brick: their coordinates on the lattice, and
+/// their offsets in a ScalarWindow.
 template <int D>
 struct EdgeEnds {
   Coordinates<D> even{}, odd{};

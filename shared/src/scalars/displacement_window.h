@@ -1,5 +1,5 @@
-// A brick's displacements with those next to it, copied where every neighbour is a fixed offset
-// away.
+// The displacements of a brick and its surroundings, copied so that every neighbour is at a fixed
+// offset, and their interpolation to vertices.
 #pragma once
 
 #include <cstring>
@@ -16,7 +16,7 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
   using DisplacementWindow::HaloWindow::kSide, DisplacementWindow::HaloWindow::stride,
       DisplacementWindow::HaloWindow::value;
 
-  /// Of a block of the brick.
+  /// The offset of one of the brick's blocks.
   static int index(std::size_t block) { return kIndex[block]; }
 
   [[gnu::noinline]] void load(const Values& displacements, const BrickTable<D>& table,
@@ -25,7 +25,7 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
                  [&](std::size_t brickIndex) { return displacements.at(brickIndex).data(); });
   }
 
-  /// Makes at() ready.
+  /// Interpolates the displacements to all vertices of the brick. Required before at().
   [[gnu::noinline]] void spread() {
     std::array<int8_t, power(kSide, D) + kBrickSide - kSide>
         padded{};  // rows of kSide are read as eight
@@ -40,12 +40,13 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     interpolate(sums.data(), sums_.data());
     interpolate(weights.data(), weights_.data());
   }
-  /// Of vertex x of row r of the brick, as a ShapeEstimate counts.
+  /// The displacement at vertex x of row r of the brick, in the unit of a ShapeEstimate.
   [[nodiscard]] int32_t at(std::size_t r, int x) const {
     return sums_[r][x] * kScale[static_cast<std::size_t>(weights_[r][x])] >> 8;
   }
-  /// Of a vertex, -1 … 8 on each axis from the brick's first one: the mean of the blocks nearest to
-  /// it, its own with three times the weight on each axis.
+  /// The same for a vertex at -1 … 8 on each axis from the brick's first one: the mean of the
+  /// nearest blocks. On each axis the vertex's own block has three times the weight of the one
+  /// beside it.
   [[nodiscard]] int32_t smooth(const Coordinates<D>& vertex) const {
     int first = 0;
     std::array<int, D> beside{};
@@ -83,8 +84,8 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
   }();
 
   static constexpr std::size_t kWeights =
-      power(4, D);  // of the blocks around a vertex, all together
-  /// 2^8 · kPlaneSlope / kPerStep over a weight.
+      power(4, D);  // the sum of the weights of the blocks around a vertex
+  /// 2^8 · kPlaneSlope / kPerStep, divided by a weight.
   static constexpr std::array<int32_t, kWeights + 1> kScale = [] {
     std::array<int32_t, kWeights + 1> scale{};
     for (std::size_t weight = 1; weight <= kWeights; ++weight)
@@ -92,7 +93,7 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     return scale;
   }();
 
-  /// Eight vertices: from here on blocks' values and their weights are summed up alike.
+  /// Eight vertices. Values and weights of blocks are summed in the same way from here on.
   using Row [[gnu::vector_size(16)]] = int16_t;
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
   static constexpr int16_t kOwn = 3;
@@ -104,12 +105,12 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     return blocks;
   }
 
-  /// Three times a vertex's own block and once the nearest one beside it, along the first axis.
+  /// Three times a vertex's own block plus once the nearest one beside it, along the first axis.
   static Row alongRow(Row blocks) {
     return kOwn * __builtin_shufflevector(blocks, blocks, 1, 1, 2, 2, 3, 3, 4, 4) +
            __builtin_shufflevector(blocks, blocks, 0, 2, 1, 3, 2, 4, 3, 5);
   }
-  /// The same along the others, from the blocks' rows to the vertices'.
+  /// The same along the other axes, from rows of blocks to rows of vertices.
   static void interpolate(const Row* blocks, Row* vertices) {
     std::array<std::array<Row, kRows / kBrickSide * kSide>, 2> between;
     std::size_t inner = 1, outer = power(kSide, D - 2);

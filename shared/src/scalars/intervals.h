@@ -1,28 +1,30 @@
-// What is known of the field itself, by all isovalues that have been told (§5.4): an interval for
-// each vertex of their tubes.
+// What the coded isovalues together say of the field (§5.4): an interval for each vertex of their
+// tubes.
 #pragma once
 
 #include "scalars/scalars.h"
 
 namespace isostar {
 
-/// A sample's level counts quanta from the first isovalue: 0 is the first one above it, -1 the
-/// first one that is not.
+/// An interval of iso steps. A field value's iso step is the number of whole quantization steps
+/// from the first isovalue to it: 0 for the first value above the isovalue, -1 for the first one
+/// that is not above.
 struct Interval {
-  static constexpr int32_t kFar = 1 << 29;  // a bound that is none
+  static constexpr int32_t kFar = 1 << 29;  // stands for no bound
 
-  int32_t low = -kFar, high = kFar;  // low ≤ level < high
+  int32_t low = -kFar, high = kFar;  // low ≤ iso step < high
 
   [[nodiscard]] bool bounded() const { return low > -kFar && high < kFar; }
   [[nodiscard]] uint32_t width() const { return static_cast<uint32_t>(high - low); }
-  /// Twice its middle as seen from a level: what Scalars keep, at either sign.
+  /// Twice the interval's middle relative to an isovalue: what Scalars store, with the same sign.
   [[nodiscard]] int32_t value(int32_t isoStep) const { return low + high - 2 * isoStep; }
-  /// What is left of it on one side of a level. Not nothing, whatever a stranger's stream says.
+  /// The part of the interval on one side of an isovalue. It is never empty, even if the input is
+  /// untrusted and contradicts itself.
   [[nodiscard]] Interval cut(int32_t isoStep, bool above) const {
     if (above) return {std::max(low, isoStep), std::max(high, std::max(low, isoStep) + 1)};
     return {std::min(low, std::min(high, isoStep) - 1), std::min(high, isoStep)};
   }
-  /// Of a magnitude as Scalars keep it, seen from a level.
+  /// The interval of a scalar, `value` as Scalars store it, relative to the isovalue at `isoStep`.
   [[nodiscard]] static Interval of(int32_t value, int32_t isoStep) {
     const auto middle = static_cast<uint32_t>(std::abs(value));
     const auto low = static_cast<int32_t>((middle & (middle - 1)) / 2),
@@ -33,46 +35,26 @@ struct Interval {
   }
 };
 
-/// Bricks exist only where something is known.
+/// One for each vertex of a brick.
 template <int D>
-class Intervals {
+using IntervalBrick = std::array<Interval, ScalarBrick<D>::kVertices>;
+
+/// A brick exists only where scalars of an isovalue are known.
+template <int D>
+class Intervals : public SparseBricks<IntervalBrick<D>> {
  public:
-  using Brick = std::array<Interval, Scalars<D>::kVertices>;
-
   Intervals() = default;
-  explicit Intervals(std::size_t brickIndices) : at_(brickIndices, kNone) { bricks_.add({}); }
+  explicit Intervals(std::size_t tableSize) : SparseBricks<IntervalBrick<D>>(tableSize, {}) {}
 
-  [[nodiscard]] std::size_t tableSize() const { return at_.size(); }
-  [[nodiscard]] bool has(std::size_t brickIndex) const { return at_[brickIndex] != kNone; }
-  [[nodiscard]] const Brick& at(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
-  Brick& writable(std::size_t brickIndex) {
-    if (at_[brickIndex] == kNone) {
-      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
-      bricks_.add({});
-    }
-    return bricks_[at_[brickIndex]];
-  }
-  /// Takes over what scalars tell that count from a level, where nothing is known yet.
-  void add(std::size_t brickIndex, const typename Scalars<D>::Brick& scalars, int32_t isoStep) {
-    Brick& brick = writable(brickIndex);
+  /// Adds the intervals of scalars relative to the isovalue at `isoStep`, at vertices without
+  /// bounds.
+  void add(std::size_t brickIndex, const ScalarBrick<D>& scalars, int32_t isoStep) {
+    auto& brick = this->writable(brickIndex);
     for (std::size_t v = 0; v < brick.size(); ++v) {
       if (scalars.knows(v) && !brick[v].bounded())
         brick[v] = Interval::of(scalars.value[v], isoStep);
     }
   }
-  /// Bytes in use, while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
-  /// With so many bricks, while one more is made.
-  [[nodiscard]] static uint64_t memoryOf(uint64_t brickIndices, uint64_t bricks) {
-    return brickIndices * sizeof(uint32_t) + (bricks + 2) * (sizeof(Brick) + Scalars<D>::kLink);
-  }
-  [[nodiscard]] std::size_t brickCount() const { return bricks_.size(); }
-
- private:
-  static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing
-
-  std::vector<uint32_t> at_;
-  Pool<Brick> bricks_;
 };
 
 }  // namespace isostar

@@ -1,4 +1,4 @@
-// A brick's scalars with those next to it, copied where every neighbour is a fixed offset away.
+// The scalars of a brick and its surroundings, copied so that every neighbour is at a fixed offset.
 #pragma once
 
 #include "grid/halo_window.h"
@@ -10,7 +10,7 @@ template <int D>
 struct ScalarWindow : HaloWindow<D, int32_t, kBrickSide> {
   using ScalarWindow::HaloWindow::stride;
 
-  /// Of vertex x in row r of the brick.
+  /// The offset of vertex x in row r of the brick.
   static int index(std::size_t r, int x) { return kRowIndex[r] + x; }
 
   void load(const Scalars<D>& scalars, const BrickTable<D>& table, const Coordinates<D>& brick) {

@@ -1,5 +1,4 @@
-// What is known of the scalars at the vertices of the finest tube (§5.3): intervals of |scalar -
-// isovalue|.
+// What is known of the scalars at the vertices of the finest tube (§5.3): intervals of magnitudes.
 #pragma once
 
 #include <algorithm>
@@ -9,97 +8,90 @@
 #include <cstdlib>
 #include <vector>
 
+#include "grid/sparse_bricks.h"
 #include "grid/tube.h"
-#include "util/pool.h"
 
 namespace isostar {
 
-/// Magnitudes are counted in quanta of the stream. Of a vertex it is known that its magnitude lies
-/// within [low, low + 2^width), low being a multiple of 2^width. Bricks exist only where scalars
-/// are told.
+/// The magnitude of each vertex lies within [low, low + 2^width) quantization steps, where low is a
+/// multiple of 2^width.
 template <int D>
-class Scalars {
- public:
+struct ScalarBrick {
   static constexpr std::size_t kVertices = power(kBrickSide, D);
   static constexpr int32_t kUnknown = INT32_MIN;
-  static constexpr uint64_t kLink =
-      4 * sizeof(void*);  // by which a brick is found, while links are moved
 
-  struct Brick {
-    /// Twice the middle of what is possible (of [n, n + 1): 2 n + 1), negative at negative
-    /// vertices. Its lowest bit that is set tells the width.
-    std::array<int32_t, kVertices> value;
-    std::array<VertexSet<D>, 2> members{};  // by Members: whose scalars are told here
+  /// Twice the middle of the interval, in quantization steps (2 n + 1 for [n, n + 1)); negative at
+  /// negative vertices. The lowest set bit determines the width.
+  std::array<int32_t, kVertices> value;
+  std::array<VertexSet<D>, 2> members{};  // by Members: the vertices whose scalars are coded
 
-    [[nodiscard]] bool knows(std::size_t v) const { return value[v] != kUnknown; }
-    [[nodiscard]] uint32_t middle(std::size_t v) const {
-      return static_cast<uint32_t>(std::abs(value[v]));
-    }
-    [[nodiscard]] int width(std::size_t v) const { return std::countr_zero(middle(v)); }
-    [[nodiscard]] uint32_t low(std::size_t v) const { return (middle(v) & (middle(v) - 1)) / 2; }
-    void set(std::size_t v, bool positive, uint32_t low, int log2Width) {
-      const auto middle = static_cast<int32_t>(2 * low + (uint32_t{1} << log2Width));
-      value[v] = positive ? middle : -middle;
-    }
-  };
+  [[nodiscard]] bool knows(std::size_t v) const { return value[v] != kUnknown; }
+  [[nodiscard]] uint32_t middle(std::size_t v) const {
+    return static_cast<uint32_t>(std::abs(value[v]));
+  }
+  [[nodiscard]] int width(std::size_t v) const { return std::countr_zero(middle(v)); }
+  [[nodiscard]] uint32_t low(std::size_t v) const { return (middle(v) & (middle(v) - 1)) / 2; }
+  void set(std::size_t v, bool positive, uint32_t low, int log2Width) {
+    const auto middle = static_cast<int32_t>(2 * low + (uint32_t{1} << log2Width));
+    value[v] = positive ? middle : -middle;
+  }
+
+  [[nodiscard]] static ScalarBrick unknown() {
+    ScalarBrick brick;
+    brick.value.fill(kUnknown);
+    return brick;
+  }
+};
+
+/// A brick exists only where scalars are coded. Beside the bricks, each brick index has a gradient.
+template <int D>
+class Scalars : public SparseBricks<ScalarBrick<D>> {
+ public:
+  using Brick = ScalarBrick<D>;
+  static constexpr std::size_t kVertices = Brick::kVertices;
+  static constexpr int32_t kUnknown = Brick::kUnknown;
 
   Scalars() = default;
-  explicit Scalars(std::size_t brickIndices)
-      : at_(brickIndices, kNone), gradient_(brickIndices, kNoGradient) {
-    bricks_.add({});
-    bricks_[kNone].value.fill(kUnknown);
-  }
+  explicit Scalars(std::size_t tableSize)
+      : SparseBricks<Brick>(tableSize, Brick::unknown()), gradient_(tableSize, kNoGradient) {}
 
-  [[nodiscard]] std::size_t tableSize() const { return at_.size(); }
-  [[nodiscard]] bool has(std::size_t brickIndex) const { return at_[brickIndex] != kNone; }
-  [[nodiscard]] const Brick& at(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
-  [[nodiscard]] const Brick& nothing() const { return bricks_[kNone]; }
-  Brick& writable(std::size_t brickIndex) {
-    if (at_[brickIndex] == kNone) {
-      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
-      bricks_.add(bricks_[kNone]);
-    }
-    return bricks_[at_[brickIndex]];
-  }
-  /// The typical difference of scalars along a crossing edge of the brick, as 4 log2 of quanta.
+  /// The typical difference of scalars along a crossing edge of the brick: 4 log2 of quantization
+  /// steps.
   [[nodiscard]] int gradient(std::size_t brickIndex) const { return gradient_[brickIndex]; }
   [[nodiscard]] bool hasGradient(std::size_t brickIndex) const {
     return gradient_[brickIndex] != kNoGradient;
   }
-  void setGradient(std::size_t brickIndex, int log2Quarters) {
-    gradient_[brickIndex] = static_cast<uint8_t>(log2Quarters);
+  void setGradient(std::size_t brickIndex, int quarterLog2) {
+    gradient_[brickIndex] = static_cast<uint8_t>(quarterLog2);
   }
-  /// Multiplies all values by the power of two that leaves room, 2^12 at the most, and tells which.
+  /// Multiplies all values by the largest power of two that they leave room for, at most 2^12, so
+  /// that estimates between them are more precise. Returns its exponent.
   int magnify() {
     int32_t largest = 1;
-    for (std::size_t b = 0; b < bricks_.size(); ++b) {
-      for (const int32_t value : bricks_[b].value) {
+    this->forEachBrick([&](const Brick& brick) {
+      for (const int32_t value : brick.value) {
         if (value != kUnknown) largest = std::max(largest, std::abs(value));
       }
-    }
-    const int finer = std::clamp(std::countl_zero(static_cast<uint32_t>(largest)) - 3, 0, 12);
-    for (std::size_t b = 0; b < bricks_.size(); ++b) {
-      for (int32_t& value : bricks_[b].value) {
-        if (value != kUnknown) value *= 1 << finer;
+    });
+    const int exponent = std::clamp(std::countl_zero(static_cast<uint32_t>(largest)) - 3, 0, 12);
+    this->forEachBrick([&](Brick& brick) {
+      for (int32_t& value : brick.value) {
+        if (value != kUnknown) value *= 1 << exponent;
       }
-    }
-    return finer;
+    });
+    return exponent;
   }
-  [[nodiscard]] std::size_t brickCount() const { return bricks_.size(); }
-  /// Bytes in use, while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
-  /// With so many bricks that know something, while one more is made.
-  [[nodiscard]] static uint64_t memoryOf(uint64_t brickIndices, uint64_t bricks) {
-    return brickIndices * 5 + (bricks + 2) * (sizeof(Brick) + kLink);
+
+  /// Bytes in use while one more brick is made.
+  [[nodiscard]] uint64_t memory() const { return memoryOf(this->tableSize(), this->brickCount()); }
+  [[nodiscard]] static uint64_t memoryOf(uint64_t tableSize, uint64_t bricks) {
+    return SparseBricks<Brick>::memoryOf(tableSize, bricks) + tableSize;
   }
 
  private:
-  static constexpr uint32_t kNone = 0;  // index of the brick that knows nothing
   static constexpr uint8_t kNoGradient = 255;
 
-  std::vector<uint32_t> at_;
   std::vector<uint8_t> gradient_;
-  Pool<Brick> bricks_;
 };
 
 }  // namespace isostar

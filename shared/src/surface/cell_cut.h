@@ -1,4 +1,4 @@
-// A cell's triangles, by where a brick's vertices are kept while its cells are cut.
+// A cell's triangles as positions in the array of vertices around the current brick.
 #pragma once
 
 #include "grid/signs.h"
@@ -6,8 +6,8 @@
 
 namespace isostar {
 
-/// The vertices that a brick's cells may need, the next bricks' first ones among them: a place for
-/// each edge, by its set of axes and its least vertex.
+/// Positions in an array of all vertices that a brick's cells may need, including the first ones of
+/// the next bricks: one for each edge, by its set of axes and its least vertex, 0 … 8 on each axis.
 struct EdgePositions {
   static constexpr unsigned kSide = kBrickSide + 1, kOfSet = kSide * kSide * kSide,
                             kCount = 7 * kOfSet;
@@ -17,7 +17,8 @@ struct EdgePositions {
   }
 };
 
-/// The corners of the triangles in a cell: places of edges, from the cell's own first one on.
+/// The corners of the triangles in a cell, three per triangle: positions of their edges relative to
+/// that of the cell's edge along axis 0.
 struct CellCut {
   std::size_t corners = 0;
   std::array<uint16_t, CellCase::kMostTriangles * 3> edges{};

@@ -1,3 +1,4 @@
+// Computes the tables of cell_table.h when they are first used.
 #include "surface/cell_table.h"
 
 #include <algorithm>
@@ -20,9 +21,9 @@ Point middle(const CellEdge& e) {
   return p;
 }
 
-/// A segment of the surface on a face, from one crossed edge to another, positive side on its left
-/// seen from outside the cell: the polygon that they make turns counter-clockwise seen from the
-/// negative side.
+/// A segment of the surface on a face, from one crossing edge to another. Seen from outside the
+/// cell its left side is positive, so that the polygon of such segments is counter-clockwise seen
+/// from the negative side.
 struct Segment {
   CellEdge from, to;
 };
@@ -40,7 +41,7 @@ std::array<unsigned, 4> faceCorners(unsigned axis, bool far) {
   return corners;
 }
 
-/// Each positive run of a face's corners is cut off by a segment of its own.
+/// Cuts off each run of positive corners of a face by a segment of its own.
 void cutFace(unsigned signs, const std::array<unsigned, 4>& corners,
              std::vector<Segment>& segments) {
   for (unsigned i = 0; i < 4; ++i) {
@@ -52,7 +53,7 @@ void cutFace(unsigned signs, const std::array<unsigned, 4>& corners,
   }
 }
 
-/// The faces of the cell that an axis edge lies on, as bits axis * 2 + far.
+/// The faces of the cell on which an axis edge lies: bit axis * 2 + far.
 unsigned facesOf(const CellEdge& e) {
   unsigned faces = 0;
   for (unsigned a = 0; a < 3; ++a) {
@@ -61,8 +62,8 @@ unsigned facesOf(const CellEdge& e) {
   return faces;
 }
 
-/// Cuts a polygon into triangles without a diagonal inside a face: such a one would meet its like
-/// in the next cell.
+/// Cuts a polygon into triangles by ears, without a diagonal inside a face: it could coincide with
+/// a diagonal of the next cell. False if that is not possible.
 ISOSTAR_COLD bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
   const std::size_t n = polygon.size();
   if (n == 3) {
@@ -82,6 +83,7 @@ ISOSTAR_COLD bool cut(const std::vector<uint8_t>& polygon, CellCase& result) {
   return false;
 }
 
+/// The segments of all faces form closed polygons, which are cut into triangles.
 ISOSTAR_COLD CellCase cubesCase(unsigned signs) {
   std::vector<Segment> segments;
   for (unsigned axis = 0; axis < 3; ++axis) {
@@ -107,12 +109,13 @@ ISOSTAR_COLD CellCase cubesCase(unsigned signs) {
 Point minus(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
+/// The determinant of three vectors.
 double volume(const Point& a, const Point& b, const Point& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// One triangle, turned so that the positive corner is behind it.
+/// Adds one triangle, oriented so that the positive corner is behind it.
 ISOSTAR_COLD void addTriangle(CellCase& result, std::array<CellEdge, 3> edges,
                               unsigned positiveCorner) {
   const Point corner{double(positiveCorner & 1), double(positiveCorner >> 1 & 1),
@@ -126,7 +129,7 @@ ISOSTAR_COLD CellCase tetrahedraCase(unsigned signs, unsigned parity) {
   CellCase result;
   std::array<unsigned, 3> axes{0, 1, 2};
   do {
-    // From the corner with even coordinates, one axis after the other (see Simplex).
+    // From the corner with even coordinates along one axis after the other (see Simplex).
     std::array<unsigned, 4> corner{parity, 0, 0, 0};
     for (unsigned i = 0; i < 3; ++i) corner[i + 1] = corner[i] ^ 1u << axes[i];
     std::vector<unsigned> above, below;

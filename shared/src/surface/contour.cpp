@@ -1,3 +1,5 @@
+// Marching squares and its counterpart on the RBMT's triangles: points on crossing edges, linked to
+// polylines.
 #include "surface/contour.h"
 
 #include "scalars/crossings.h"
@@ -5,7 +7,8 @@
 namespace isostar {
 namespace {
 
-/// Where the crossed edges of a brick are in the list of points: by set of axes, then by row.
+/// Where the points of a brick's crossing edges are in the list of points, by set of axes, then by
+/// row.
 struct EdgeIndex {
   std::array<std::array<uint32_t, kBrickSide>, 4> first{};
   std::array<std::array<uint32_t, kBrickSide>, 4> crossed{};
@@ -13,8 +16,8 @@ struct EdgeIndex {
 
 class Tracing {
  public:
-  static constexpr uint64_t kBytesOfPosition =
-      sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+  static constexpr uint64_t kBytesPerEntry =
+      sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_, per brick index
 
   Tracing(const Surface<2>& surface, const MeshOptions& options, Contours& out)
       : surface_(surface),
@@ -27,7 +30,7 @@ class Tracing {
   Error run(const Limits& limits) {
     uint32_t bricks = 0;
     forActive([&](std::size_t brickIndex) { slot_[brickIndex] = bricks++; });
-    const uint64_t held = kBytesOfPosition * active_.size() + bricks * uint64_t{sizeof(EdgeIndex)};
+    const uint64_t held = kBytesPerEntry * active_.size() + bricks * uint64_t{sizeof(EdgeIndex)};
     if (held > limits.memory) return Error::OverLimit;
     index_.resize(bricks);
     bool within = true;
@@ -54,10 +57,10 @@ class Tracing {
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX, kDone = kNone - 1;
-  static constexpr uint64_t kMostPoints =
-      kDone - 3 * power(kBrickSide, 2);  // one more brick's can still be counted
-  /// Of placed_, next_ and begins_; where it comes to lie; the start of a polyline, while starts
-  /// are moved.
+  /// One more brick's points can still be counted.
+  static constexpr uint64_t kMostPoints = kDone - 3 * power(kBrickSide, 2);
+  /// For each point: placed_, next_ and begins_, its coordinates in the result, and the start of a
+  /// polyline while `starts` grows.
   static constexpr uint64_t kBytesOfPoint =
       4 * sizeof(float) + sizeof(uint32_t) + 1 + 3 * sizeof(uint32_t);
 
@@ -133,10 +136,10 @@ class Tracing {
     }
   }
 
-  /// Corners are numbered by bits: 1 on axis 0, 2 on axis 1.
+  /// Corners are sets of axes: bit a for the far plane on axis a.
   void cutCell(const Coordinates<2>& cell, unsigned signs) {
     if (options_.polygonizer == Polygonizer::Cubes) return cutRing<4>(cell, signs, {0, 1, 3, 2});
-    // From the corner with even coordinates to the opposite one, one axis after the other (see
+    // From the corner with even coordinates to the opposite one along one axis after the other (see
     // Simplex).
     const unsigned even = (static_cast<unsigned>(cell[0]) & 1) |
                           (static_cast<unsigned>(cell[1]) & 1) << 1,
@@ -146,8 +149,8 @@ class Tracing {
     cutRing<3>(cell, signs, {even, odd, even ^ (turned ? 1u : 2u)});
   }
 
-  /// Each positive run of corners, which turn counter-clockwise, is cut off by a segment of its
-  /// own.
+  /// Cuts off each run of positive corners by a segment of its own. `corners` are in
+  /// counter-clockwise order.
   template <std::size_t N>
   void cutRing(const Coordinates<2>& cell, unsigned signs, const std::array<unsigned, N>& corners) {
     auto positive = [&](std::size_t i) { return (signs >> corners[i % N] & 1) != 0; };
@@ -162,7 +165,7 @@ class Tracing {
     }
   }
 
-  /// The number of the crossing between two corners of a cell.
+  /// The number of the point between two corners of a cell.
   [[nodiscard]] uint32_t point(const Coordinates<2>& cell, unsigned a, unsigned b) const {
     const unsigned corner = a & b, axes = a ^ b;
     const int32_t x = cell[0] + static_cast<int32_t>(corner & 1),
@@ -173,7 +176,7 @@ class Tracing {
                                         index.crossed[axes][row] & ((1u << x % kBrickSide) - 1)));
   }
 
-  /// The polyline from a point on, unless it has been followed.
+  /// Appends the polyline that starts at a point, unless the point has been appended already.
   void follow(uint32_t id) {
     if (next_[id] == kDone) return;
     out_.starts.push_back(static_cast<uint32_t>(out_.points.size() / 2));
@@ -190,14 +193,14 @@ class Tracing {
   MeshOptions options_;
   Contours& out_;
   std::vector<uint8_t> active_;
-  std::vector<uint32_t> slot_;  // in index_, by place of an active brick
+  std::vector<uint32_t> slot_;  // by brick index of an active brick: where it is in index_
   std::vector<EdgeIndex> index_;
   Window<2> window_;
   ScalarWindow<2> scalars_;
   uint32_t points_ = 0;
   std::vector<float> placed_;   // x, y of each point
-  std::vector<uint32_t> next_;  // the point that follows
-  std::vector<bool> begins_;    // does no point lead to it?
+  std::vector<uint32_t> next_;  // the point that follows each point
+  std::vector<bool> begins_;    // by point: does no other point lead to it?
 };
 
 }  // namespace
@@ -205,7 +208,7 @@ class Tracing {
 Error polygonize(const Surface<2>& surface, const MeshOptions& options, const Limits& limits,
                  Contours& out) {
   out = {};
-  if (Tracing::kBytesOfPosition * surface.signs.table().total() > limits.memory)
+  if (Tracing::kBytesPerEntry * surface.signs.table().total() > limits.memory)
     return Error::OverLimit;
   return Tracing(surface, options, out).run(limits);
 }

@@ -1,5 +1,4 @@
-// From known signs and scalars of an image to polylines (§3, §6). It has no idea that a stream
-// exists.
+// From the signs and scalars of an image to polylines (§3, §6); independent of streams.
 #pragma once
 
 #include "isostar/isostar.h"
@@ -7,8 +6,9 @@
 
 namespace isostar {
 
-/// OverLimit, and no contours, where they would have more points than allowed, or where it takes
-/// more memory to trace them.
+/// Traces the isocontours; options.frame and options.polygonizer apply. OverLimit, and empty
+/// contours, if they have more points than limits.vertices or tracing takes more bytes than
+/// limits.memory.
 [[nodiscard]] Error polygonize(const Surface<2>&, const MeshOptions&, const Limits&, Contours& out);
 
 }  // namespace isostar

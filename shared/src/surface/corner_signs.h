@@ -1,4 +1,4 @@
-// The signs around each edge and each cell of a brick, many at a time.
+// The signs at the ends of all edges and the corners of all cells of a brick, many at a time.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@ namespace isostar {
 /// A bit for each vertex of a brick: bit x + 8 y of word z.
 using BrickWords = decltype(VertexSet<3>::words);
 
-/// The signs of a brick's vertices, and of those one step further on each set of axes. Beyond the
-/// lattice they mean nothing.
+/// The signs of a brick's vertices, and of the vertices one step further on each set of axes. Bits
+/// of vertices outside the lattice are meaningless.
 class CornerSigns {
  public:
-  /// Not copied to each place that calls it: a page's decoder is to be small.
+  /// Not inlined, to keep the WebAssembly decoder small.
   [[gnu::noinline]] CornerSigns(const Signs<3>& signs, std::size_t brickIndex) {
     const auto& table = signs.table();
     const auto brick = table.brick(brickIndex);
@@ -26,7 +26,8 @@ class CornerSigns {
         other += (c >> a & 1) != 0 && brick[a] + 1 < table.count(a) ? table.stride(a) : 0;
       words_[c] = wordsOf(signs.brickAt(other));
     }
-    // So far they are the signs of bricks further on: axis by axis they become those of vertices.
+    // So far words_[c] are the signs of the next brick on the axes c. Axis by axis they become
+    // those of the next vertices.
     for (unsigned c = 0; c < 8; ++c)
       if ((c & 4) != 0) words_[c] = steppedOnZ(words_[c ^ 4], words_[c]);
     for (unsigned c = 0; c < 8; ++c)
@@ -35,9 +36,9 @@ class CornerSigns {
       if ((c & 1) != 0) words_[c] = steppedOnX(words_[c ^ 1], words_[c]);
   }
 
-  /// The edges along a set of axes that are crossed, by their least vertices in plane z. An edge
-  /// along several axes is the diagonal of a face or cell that the RBMT has (§4.3): it joins the
-  /// vertex that is even on these axes with the one that is odd on them.
+  /// The crossing edges along a set of axes, by their least vertices in plane z. An edge along
+  /// several axes is the diagonal of a face or cell that the RBMT has (§4.3): it joins the vertex
+  /// that is even on these axes with the one that is odd on them.
   [[nodiscard]] uint64_t crossedEdges(unsigned axes, unsigned z) const {
     if (std::has_single_bit(axes)) return words_[0][z] ^ words_[axes][z];
     uint64_t crossed = 0;
@@ -46,7 +47,7 @@ class CornerSigns {
       if (odd == 0) return crossed;
     }
   }
-  /// The cells with corners of both signs, by their least vertices in plane z.
+  /// The crossing cells, by their least vertices in plane z.
   [[nodiscard]] uint64_t crossedCells(unsigned z) const {
     uint64_t some = 0, all = ~uint64_t{0};
     for (const auto& words : words_) {
@@ -55,7 +56,8 @@ class CornerSigns {
     }
     return some & ~all;
   }
-  /// The signs of a cell's corners: bit c for the one that is further on the axes c.
+  /// The signs of a cell's corners: bit c for the corner that is further on the axes c. `at`: x + 8
+  /// y of the cell's least vertex.
   [[nodiscard]] unsigned around(unsigned z, unsigned at) const {
     unsigned signs = 0;
     for (unsigned c = 0; c < 8; ++c) signs |= static_cast<unsigned>(words_[c][z] >> at & 1) << c;
@@ -101,7 +103,8 @@ class CornerSigns {
   std::array<BrickWords, 8> words_;  // by set of axes
 };
 
-/// The vertices of a brick from which edges along a set of axes stay inside the lattice.
+/// The vertices of a brick from which edges along a set of axes stay inside the lattice. `brick`:
+/// its brick coordinates.
 inline BrickWords insideOf(const Lattice<3>& lattice, const Coordinates<3>& brick, unsigned axes) {
   Coordinates<3> last = lattice.last;
   for (unsigned a = 0; a < 3; ++a) last[a] -= (axes >> a & 1) != 0 ? 1 : 0;

@@ -1,3 +1,5 @@
+// Marching cubes and marching tetrahedra, brick by brick: counts crossing edges, places a vertex on
+// each, and cuts cells by table.
 #include "surface/polygonizer.h"
 
 #include <bit>
@@ -15,9 +17,10 @@
 namespace isostar {
 namespace {
 
-constexpr unsigned kPlanes = 8;  // of a brick
+constexpr unsigned kPlanes = 8;  // along an axis of a brick
 
-/// Where the crossed edges of a brick along one set of axes are in the list of vertices, by plane.
+/// Where the vertices on a brick's crossing edges along one set of axes are in the list of
+/// vertices, by plane.
 struct EdgeIndex {
   struct Plane {
     uint64_t crossed;  // bit x + 8 y, as in a VertexSet
@@ -26,7 +29,8 @@ struct EdgeIndex {
   std::array<Plane, kPlanes> planes;
 
   EdgeIndex() {
-  }  // leaves them as they are: filling them with zeros first would take longer than counting
+    // Leaves the planes uninitialized: filling them with zeros would take longer than counting.
+  }
 
   [[nodiscard]] uint32_t vertex(unsigned plane, unsigned at) const {
     const auto& [crossed, first] = planes[plane];
@@ -34,7 +38,7 @@ struct EdgeIndex {
   }
 };
 
-/// World positions of the lattice's vertices; directions of normals.
+/// Maps the lattice's vertices to positions in the chosen frame, and gradients to normals.
 class Frames {
  public:
   Frames(const Lattice<3>& lattice, const Placement& p, Frame frame)
@@ -47,15 +51,19 @@ class Frames {
     }
     if (world_) gradient_ = glm::transpose(glm::inverse(matrix_));
   }
+  /// The sample at a vertex of the lattice.
   [[nodiscard]] glm::dvec3 sample(const Coordinates<3>& v) const {
     return {lattice_.sample(0, v[0]), lattice_.sample(1, v[1]), lattice_.sample(2, v[2])};
   }
-  [[nodiscard]] glm::dvec3 index(const glm::dvec3& sample) const {
+  /// A sample, or a point between samples, in the chosen frame.
+  [[nodiscard]] glm::dvec3 position(const glm::dvec3& sample) const {
     return world_ ? origin_ + matrix_ * sample : sample;
   }
+  /// A gradient by samples as one in the chosen frame, of any length.
   [[nodiscard]] glm::dvec3 normal(const glm::dvec3& gradient) const {
     return world_ ? gradient_ * gradient : gradient;
   }
+  /// Does the frame reverse orientation?
   [[nodiscard]] bool mirrors() const { return world_ && glm::determinant(matrix_) < 0; }
 
  private:
@@ -67,10 +75,10 @@ class Frames {
 
 class Polygonization {
  public:
-  static constexpr uint64_t kBytesOfPosition =
-      sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_
+  static constexpr uint64_t kBytesPerEntry =
+      sizeof(uint8_t) + sizeof(uint32_t);  // of active_ and slot_, per brick index
 
-  /// `depth`: of each vertex inside the surface's domain, if that is not the box.
+  /// `depth` receives by how much each vertex lies inside the surface's domain, if there is one.
   Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
                  Mesh& out, std::vector<float>& depth)
       : surface_(surface),
@@ -96,7 +104,7 @@ class Polygonization {
     for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
       if (active_[brickIndex] != 0) slot_[brickIndex] = bricks++;
     }
-    held_ = kBytesOfPosition * active_.size() + bricks * sets() * sizeof(EdgeIndex);
+    held_ = kBytesPerEntry * active_.size() + bricks * sets() * sizeof(EdgeIndex);
     if (held_ > limits_.memory) return Error::OverLimit;
     index_.resize(bricks * sets());
     for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
@@ -122,8 +130,8 @@ class Polygonization {
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
-  static constexpr uint64_t kMostVertices =
-      UINT32_MAX - 7 * power(kBrickSide, 3);  // one more brick's can still be counted
+  /// One more brick's vertices can still be counted.
+  static constexpr uint64_t kMostVertices = UINT32_MAX - 7 * power(kBrickSide, 3);
   static constexpr std::size_t kMostOfPlane =
       kBrickSide * kBrickSide * CellCase::kMostTriangles * 3;
 
@@ -133,11 +141,11 @@ class Polygonization {
   [[nodiscard]] bool uses(unsigned axes) const {
     return options_.polygonizer == Polygonizer::Tetrahedra || std::has_single_bit(axes);
   }
-  /// How many sets of axes edges run along.
+  /// How many sets of axes there are along which edges run.
   [[nodiscard]] std::size_t sets() const {
     return options_.polygonizer == Polygonizer::Cubes ? 3 : 7;
   }
-  /// How many tables of cells, by their parity.
+  /// How many cell tables there are, one per parity.
   [[nodiscard]] std::size_t parities() const {
     return options_.polygonizer == Polygonizer::Cubes ? 1 : 8;
   }
@@ -166,11 +174,11 @@ class Polygonization {
     vertices_ = number;
   }
 
-  /// |scalar - isovalue| in half quanta at a vertex of the window.
+  /// |scalar| at a vertex of the window, in half quantization steps.
   [[nodiscard]] double size(int at) const {
     const int32_t value = scalars_.value[at];
-    return std::abs(double(value)) +
-           offsets_[value < 0 ? 1 : 0];  // no branch, which nobody could predict
+    // A table instead of an unpredictable branch.
+    return std::abs(double(value)) + offsets_[value < 0 ? 1 : 0];
   }
   [[nodiscard]] double scalar(int at) const {
     return scalars_.value[at] >= 0 ? size(at) : -size(at);
@@ -195,8 +203,7 @@ class Polygonization {
     }
   }
 
-  /// Makes vertices a plane at a time, not all of them before the first one is placed: so they are
-  /// in the cache then.
+  /// Creates vertices a plane at a time, just before they are placed: then they are in the cache.
   void grow(std::size_t vertices) {
     out_.positions.resize(vertices * 3);
     if (options_.normals) out_.normals.resize(vertices * 3);
@@ -208,7 +215,7 @@ class Polygonization {
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
-    write(out_.positions, id, frames_.index(start + t * (end - start)));
+    write(out_.positions, id, frames_.position(start + t * (end - start)));
     if (surface_.domain != nullptr) depth_[id] = static_cast<float>(depthOf(ends, t));
     if (!options_.normals) return;
     glm::dvec3 gradient;
@@ -223,25 +230,25 @@ class Polygonization {
     write(out_.normals, id, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
   }
 
-  /// How deep a vertex on an edge lies in the domain. The ends of diagonals have not been told of a
-  /// stream for `cubes`: another corner of the cell stands in for them, so that only cells are cut
-  /// which the domain's boundary crosses.
+  /// By how much a vertex on an edge lies inside the domain. A stream for Polygonizer::Cubes does
+  /// not code the ends of diagonals: another corner of the cell stands in for them, so that only
+  /// cells are cut that the domain's boundary crosses.
   [[nodiscard]] double depthOf(const EdgeEnds<3>& ends, double t) const {
     const auto& depth = domain_.value;
-    const auto codedAt = [&](int at, int otherEnd) {
-      const int beside =
-          ends.evenAt + ends.odd[0] - ends.even[0];  // if neither is told, all other corners are
+    const auto knownAt = [&](int at, int otherEnd) {
+      // If neither end is known, all other corners are.
+      const int beside = ends.evenAt + ends.odd[0] - ends.even[0];
       return depth[at] != Scalars<3>::kUnknown         ? at
              : depth[otherEnd] != Scalars<3>::kUnknown ? otherEnd
                                                        : beside;
     };
-    const double even = depth[codedAt(ends.evenAt, ends.oddAt)],
-                 odd = depth[codedAt(ends.oddAt, ends.evenAt)];
+    const double even = depth[knownAt(ends.evenAt, ends.oddAt)],
+                 odd = depth[knownAt(ends.oddAt, ends.evenAt)];
     return even + t * (odd - even);
   }
 
-  /// The field's difference along an axis across an edge, from the neighbours of its ends whose
-  /// scalars are known.
+  /// The field's difference along an axis orthogonal to an edge, from the neighbours of its ends
+  /// whose scalars are known.
   [[nodiscard]] double across(const EdgeEnds<3>& ends, double t, int axis) const {
     const int step = ScalarWindow<3>::stride(axis);
     double sum = 0, weight = 0;
@@ -265,8 +272,8 @@ class Polygonization {
     at[2] = static_cast<float>(v.z);
   }
 
-  /// Room for so many corners of triangles; false where the limit has none. Not by resize() alone,
-  /// which may double it.
+  /// Reserves room for `corners` corners of triangles; false if the limit does not allow it.
+  /// resize() alone might double the capacity.
   bool makeRoom(std::size_t corners) {
     const std::size_t before = out_.indices.capacity();
     if (corners > before &&
@@ -276,7 +283,7 @@ class Polygonization {
     return true;
   }
 
-  /// The vertices of the next bricks that this one's last cells need.
+  /// Finds the vertices of the next bricks that this brick's last cells need.
   void findVerticesAhead(std::size_t brickIndex) {
     constexpr uint64_t kFirstColumn = 0x0101010101010101, kFirstRow = 0xFF;
     const auto brick = signs_.table().brick(brickIndex);
@@ -307,7 +314,7 @@ class Polygonization {
     }
   }
 
-  /// False where the limit has no room for the triangles.
+  /// Appends the brick's triangles. False if the limit does not allow it.
   bool cutCells(std::size_t brickIndex) {
     const auto brick = signs_.table().brick(brickIndex);
     const CornerSigns corners(signs_, brickIndex);
@@ -327,7 +334,8 @@ class Polygonization {
     return true;
   }
 
-  /// Most cells have one or two triangles: two always, so that there is less to predict.
+  /// Appends a cell's triangles. Most cells have one or two: two are always written, so that there
+  /// are fewer branches to predict.
   void cutCell(unsigned signs, unsigned x, unsigned y, unsigned z) {
     constexpr std::size_t kAlways = 6;
     const std::size_t parity = ((x & 1) | (y & 1) << 1 | (z & 1) << 2) & (parities() - 1);
@@ -345,18 +353,19 @@ class Polygonization {
   MeshOptions options_;
   Frames frames_;
   std::array<double, 2> offsets_{surface_.positiveOffset, surface_.negativeOffset};
-  std::vector<CellCut> cuts_;  // by parity, if that matters; then by signs
+  std::vector<CellCut> cuts_;  // by parity, if there are several tables; then by signs
   Limits limits_;
-  uint64_t held_ = 0;  // bytes in use but for those of triangles
+  uint64_t held_ = 0;  // bytes in use except those of triangles
   Mesh& out_;
   std::vector<float>& depth_;
   std::vector<uint8_t> active_;
   std::vector<uint32_t> slot_;
-  std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);  // of a set of axes
-  std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the brick in work
-  std::vector<EdgeIndex> index_;                       // by brick, then by set of axes
+  /// Of a set of axes: its number among those used.
+  std::array<uint8_t, 8> number_ = numbersOfSets(options_.polygonizer);
+  std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the current brick
+  std::vector<EdgeIndex> index_;  // by slot of a brick, then by number of the set of axes
   uint64_t vertices_ = 0;
-  std::size_t corners_ = 0;  // of triangles, so far
+  std::size_t corners_ = 0;  // of triangles so far
   ScalarWindow<3> scalars_, domain_;
 };
 
@@ -365,7 +374,7 @@ class Polygonization {
 Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
                  Mesh& out) {
   out = {};
-  if (Polygonization::kBytesOfPosition * surface.signs.table().total() > limits.memory)
+  if (Polygonization::kBytesPerEntry * surface.signs.table().total() > limits.memory)
     return Error::OverLimit;
   std::vector<float> depth;
   Error error = Polygonization(surface, options, limits, out, depth).run();

@@ -1,4 +1,4 @@
-// From known signs and scalars to triangles (§3, §5.3). It has no idea that a stream exists.
+// From signs and scalars to triangles (§3, §5.3); independent of streams.
 #pragma once
 
 #include "isostar/isostar.h"
@@ -6,8 +6,9 @@
 
 namespace isostar {
 
-/// OverLimit, and no mesh, where it would have more vertices than allowed, or where it takes more
-/// memory to make it.
+/// Makes the mesh, trimmed at the surface's domain if it has one. options.time and options.isovalue
+/// are ignored. OverLimit, and an empty mesh, if it has more vertices than limits.vertices or
+/// making it takes more bytes than limits.memory.
 [[nodiscard]] Error polygonize(const Surface<3>&, const MeshOptions&, const Limits&, Mesh& out);
 
 }  // namespace isostar

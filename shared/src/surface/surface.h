@@ -1,4 +1,4 @@
-// What a surface is made of: signs, scalars, and where the grid stands.
+// The input of the polygonizers: signs, scalars, and the placement of the grid.
 #pragma once
 
 #include "isostar/isostar.h"
@@ -6,18 +6,20 @@
 
 namespace isostar {
 
+/// References are not owned and must outlive the surface.
 template <int D>
 struct Surface {
   const Signs<D>& signs;
-  const Scalars<D>& scalars;  // of all ends of edges that the polygonizer crosses
-  /// What to add to half quanta at positive and negative vertices to be exact.
+  const Scalars<D>& scalars;  // known at both ends of all crossing edges of the polygonizer
+  /// What must be added to |values| of positive and negative vertices to be exact, in half
+  /// quantization steps.
   double positiveOffset = 0, negativeOffset = 0;
   const Placement& placement;
-  /// Twice the distance to the domain's boundary, positive inside, in any unit, at all ends of axis
-  /// edges that are crossed; null where the domain is the box.
+  /// Twice the distance to the domain's boundary, positive inside, in any unit, at all ends of
+  /// crossing axis edges; null if the domain is the box.
   const Scalars<D>* domain = nullptr;
 
-  /// |scalar - isovalue| in half quanta, from its value as Scalars keep it.
+  /// |scalar| in half quantization steps, from a value as Scalars store it.
   [[nodiscard]] double size(int32_t value) const {
     return value >= 0 ? value + positiveOffset : -double(value) + negativeOffset;
   }

@@ -1,3 +1,4 @@
+// Cuts a volume out of a sequence: copies a plane of time, or interpolates between two.
 #include "surface/time_slice.h"
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 namespace isostar {
 namespace {
 
-/// A plane across time of a surface in four dimensions: bricks of three lie in those of four one
-/// behind the other.
+/// The plane of one time in a surface in four dimensions. A brick of three dimensions is a
+/// contiguous part of one of four.
 class Plane {
  public:
   Plane(const Surface<4>& surface, int32_t plane)
@@ -28,7 +29,7 @@ class Plane {
   [[nodiscard]] int gradient(std::size_t brickIndex) const {
     return surface_.scalars.gradient(first_ + brickIndex);
   }
-  /// As Scalars keep them.
+  /// The plane's values in a brick, as Scalars store them.
   [[nodiscard]] const int32_t* values(std::size_t brickIndex) const {
     return surface_.scalars.at(first_ + brickIndex).value.data() + local_ * Scalars<3>::kVertices;
   }
@@ -48,22 +49,23 @@ void copyPlane(const Plane& plane, TimeSlice& slice) {
   }
 }
 
+/// Interpolates between two planes.
 class Blend {
  public:
-  /// `share`: of the later plane.
+  /// `share`: the weight of the later plane, 0 … 1.
   Blend(const Surface<4>& surface, const Plane& before, const Plane& after, double share)
       : surface_(surface), before_(before), after_(after), share_(share) {}
 
   void into(TimeSlice& slice) {
-    const std::size_t brickIndices = slice.signs.table().total();
+    const std::size_t tableSize = slice.signs.table().total();
     double largest = 1;
-    for (std::size_t brickIndex = 0; brickIndex < brickIndices; ++brickIndex) {
+    for (std::size_t brickIndex = 0; brickIndex < tableSize; ++brickIndex) {
       forKnown(brickIndex,
                [&](std::size_t, double scalar) { largest = std::max(largest, std::abs(scalar)); });
     }
     const int finer = std::clamp(29 - std::ilogb(largest), 0, 12);
-    for (std::size_t brickIndex = 0; brickIndex < brickIndices; ++brickIndex) {
-      // Where nothing is known of either plane both have the same sign.
+    for (std::size_t brickIndex = 0; brickIndex < tableSize; ++brickIndex) {
+      // Where neither plane has scalars, both have the same signs.
       Brick<3> signs = before_.signs(brickIndex);
       if (before_.has(brickIndex) || after_.has(brickIndex)) {
         auto& values = slice.scalars.writable(brickIndex).value;
@@ -81,8 +83,8 @@ class Blend {
   }
 
  private:
-  /// Calls visit(vertex, scalar) where a scalar is known; in half quanta, and never zero on the
-  /// wrong side.
+  /// Calls visit(vertex, scalar) where a scalar is known, in half quantization steps; it is never
+  /// zero on the wrong side.
   template <class Visit>
   void forKnown(std::size_t brickIndex, Visit visit) const {
     if (!before_.has(brickIndex) && !after_.has(brickIndex)) return;
@@ -129,10 +131,9 @@ TimeSlice sliceAt(const Surface<4>& surface, double time) {
 }
 
 uint64_t memoryToSlice(const Surface<4>& surface) {
-  const uint64_t brickIndices = surface.signs.table().stride(3),
-                 known = surface.scalars.brickCount();
-  return Signs<3>::memoryToFill(brickIndices, surface.signs.brickCount() + known) +
-         Scalars<3>::memoryOf(brickIndices, std::min(brickIndices, known));
+  const uint64_t tableSize = surface.signs.table().stride(3), known = surface.scalars.brickCount();
+  return Signs<3>::memoryToFill(tableSize, surface.signs.brickCount() + known) +
+         Scalars<3>::memoryOf(tableSize, std::min(tableSize, known));
 }
 
 }  // namespace isostar

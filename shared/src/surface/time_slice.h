@@ -1,23 +1,25 @@
-// A sequence's surface at a time: a volume's signs and scalars, cut out of those in four dimensions
-// (§6).
+// A sequence's surface at one time: the signs and scalars of a volume, cut out of those in four
+// dimensions (§6).
 #pragma once
 
 #include "surface/surface.h"
 
 namespace isostar {
 
-/// Scalars count half quanta · 2^-finer, with offsets of their own.
+/// Between two planes, scalars count 2^-n half quantization steps for some n, and offsets are 0:
+/// only ratios matter to the surface.
 struct TimeSlice {
   Signs<3> signs;
   Scalars<3> scalars;
   double positiveOffset = 0, negativeOffset = 0;
 };
 
-/// On a plane of the lattice: what is known there. Between two planes scalars are interpolated;
-/// where only one of two is known, both have the same sign, and it stands for the other.
+/// The slice at a time in frames from 0, clamped to the sequence. On a plane of the lattice it is
+/// that plane's data. Between two planes scalars are interpolated; where only one plane has a
+/// scalar, both have the same sign, and that scalar is used.
 [[nodiscard]] TimeSlice sliceAt(const Surface<4>& surface, double time);
 
-/// Bytes that a slice takes at most, at any time.
+/// The most bytes that a slice takes at any time.
 [[nodiscard]] uint64_t memoryToSlice(const Surface<4>& surface);
 
 }  // namespace isostar

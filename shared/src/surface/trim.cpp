@@ -1,3 +1,5 @@
+// Trims a mesh in place: numbers the kept vertices, cuts triangles, then moves positions and
+// normals.
 #include "surface/trim.h"
 
 #include <algorithm>
@@ -23,8 +25,7 @@ class Trimming {
       cut += kept == 1 || kept == 2 ? 1 : 0;
     }
     if (3 * whole == mesh_.indices.size()) return Error::None;
-    // All that lives at the same time, at its largest: a mesh and its successor, numbers of
-    // vertices, edges.
+    // The most that exists at the same time: a mesh and its successor, numbers of vertices, edges.
     const uint64_t vertices = values_.size(),
                    perVertex = (mesh_.normals.empty() ? 3 : 6) * sizeof(float);
     const uint64_t before = vertices * (perVertex + sizeof(float) + 2 * sizeof(uint32_t)) +
@@ -45,8 +46,8 @@ class Trimming {
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
 
-  /// That is cut, from a vertex kept to one that is not; and the one before it from the same
-  /// vertex.
+  /// An edge that is cut, from a vertex that is kept to one that is not. `before`: the previous cut
+  /// edge from the same kept vertex.
   struct Edge {
     uint32_t kept, other, before;
   };
@@ -61,7 +62,7 @@ class Trimming {
     }
   }
 
-  /// The vertex on an edge that is cut; they are numbered behind those kept.
+  /// The number of the vertex on an edge that is cut; these vertices follow those that are kept.
   ISOSTAR_COLD uint32_t onEdge(uint32_t kept, uint32_t other) {
     if (!keeps(kept)) std::swap(kept, other);
     for (uint32_t e = last_[kept]; e != kNone; e = edges_[e].before) {
@@ -73,7 +74,8 @@ class Trimming {
     return kept_ + e;
   }
 
-  /// What is kept of a triangle is a polygon of at most four corners.
+  /// The kept part of a triangle is a polygon of at most four corners. `most`: an upper bound of
+  /// the number of triangles.
   ISOSTAR_COLD void cutTriangles(std::size_t most) {
     std::vector<uint32_t> to(3 * most);
     std::size_t count = 0;
@@ -95,7 +97,8 @@ class Trimming {
     mesh_.indices.swap(to);
   }
 
-  /// Positions, or unit normals, of the vertices kept, then of those on edges.
+  /// Replaces positions, or unit normals, by those of the kept vertices, followed by those on cut
+  /// edges.
   ISOSTAR_COLD void moveVertices(std::vector<float>& values, bool unit) const {
     std::vector<float> moved(3 * (kept_ + edges_.size()));
     float* to = moved.data();
@@ -124,7 +127,7 @@ class Trimming {
   const Limits& limits_;
   Mesh& mesh_;
   uint32_t kept_ = 0;
-  std::vector<uint32_t> numbers_, last_;  // by vertex: its new number; the last edge found from it
+  std::vector<uint32_t> numbers_, last_;  // by vertex: its new number; the last cut edge from it
   std::vector<Edge> edges_;
 };
 

@@ -1,5 +1,5 @@
-// Items that stay where they are as more come. Less code than a deque, which a page's decoder would
-// have to load.
+// A growing sequence whose items keep their addresses. It is less code than std::deque, which
+// counts in the WebAssembly decoder.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace isostar {
 
-/// Each has memory of its own.
+/// Each item is an allocation of its own. A copy of a pool copies the items.
 template <class T>
 class Pool {
  public:

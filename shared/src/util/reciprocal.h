@@ -1,4 +1,4 @@
-// Means of a few numbers without a division.
+// Reciprocals of small integers in fixed point, for means without a division.
 #pragma once
 
 #include <array>
@@ -7,7 +7,8 @@
 
 namespace isostar {
 
-/// 65536 / n: a division by a small number would cost more than all the rest.
+/// 65536 / n, rounded down, for 1 ≤ n < 256; 0 for n = 0. A table, because a division by a small
+/// number would cost more than the rest of the computation around it.
 inline int64_t reciprocal(int32_t n) {
   static constexpr std::array<int32_t, 256> kTable = [] {
     std::array<int32_t, 256> table{};

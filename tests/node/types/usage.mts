@@ -1,15 +1,32 @@
-// Compiled, never run: the package as a stranger's strict TypeScript sees it.
-import { createDecoder, IsostarError, type Decoder, type IsostarErrorCode, type Surface } from 'isostar';
+// Compiled and never run: the package in a user's strict TypeScript.
+import {
+  createDecoder,
+  IsostarError,
+  type Decoder,
+  type IsostarErrorCode,
+  type Surface,
+} from 'isostar';
 import { IsostarLoader } from 'isostar/three';
 import type { IsostarSurfaceElement } from 'isostar/element';
 import type { BufferGeometry } from 'three';
 
-const decoder: Decoder = await createDecoder({ worker: false, wasm: new URL('https://example.org/decoder.wasm') });
+const decoder: Decoder = await createDecoder({
+  worker: false,
+  wasm: new URL('https://example.org/decoder.wasm'),
+});
 const response = await fetch('skull.isostar');
 try {
-  for await (const surface of decoder.decode(response, { signal: AbortSignal.timeout(1000), polygonizer: 'tetrahedra', isovalue: 1 })) {
+  for await (const surface of decoder.decode(response, {
+    signal: AbortSignal.timeout(1000),
+    polygonizer: 'tetrahedra',
+    isovalue: 1,
+  })) {
     const { positions, indices, info, error, final }: Surface = surface;
-    console.log(positions.length + indices.length + info.size[2] + error, final, info.layers[0]?.kind === 'base');
+    console.log(
+      positions.length + indices.length + info.size[2] + error,
+      final,
+      info.layers[0]?.kind === 'base',
+    );
   }
 } catch (reason) {
   if (reason instanceof IsostarError) console.log(reason.code satisfies IsostarErrorCode);
@@ -19,7 +36,9 @@ decoder.decode(new Uint8Array(), { polygonizer: 'pyramids' });
 decoder.dispose();
 
 const loader = new IsostarLoader().setPath('samples/').setSurfaceOptions({ frame: 'grid' });
-const geometry: BufferGeometry = await loader.loadAsync('skull.isostar', ({ surface, loaded }) => console.log(surface.level, loaded));
+const geometry: BufferGeometry = await loader.loadAsync('skull.isostar', ({ surface, loaded }) =>
+  console.log(surface.level, loaded),
+);
 console.log(geometry);
 
 declare const element: IsostarSurfaceElement;

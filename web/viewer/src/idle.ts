@@ -1,4 +1,4 @@
-/** When the page has nothing better to do, and within a tenth of a second. */
+/** Resolves when the page is idle, or after a tenth of a second. */
 export function idle(): Promise<void> {
   return new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve(), { timeout: 100 });
@@ -6,7 +6,7 @@ export function idle(): Promise<void> {
   });
 }
 
-/** After the browser has put the next picture on the screen, or nearly so. */
-export function nextPicture(): Promise<void> {
+/** Resolves about when the browser has displayed the next frame. */
+export function nextFrame(): Promise<void> {
   return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
 }

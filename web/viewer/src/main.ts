@@ -1,9 +1,10 @@
 import type { Polygonizer } from 'isostar';
-import { fromAddress, fromFile } from './download.ts';
-import { fetchSamples, type Sample } from './samples.ts';
+import { fromAddress, fromFile } from './stream/download.ts';
+import { fetchSamples, type Sample } from './stream/samples.ts';
 import { Viewer } from './viewer.ts';
 
-const element = <E extends HTMLElement>(selector: string): E => document.querySelector<E>(selector)!;
+const element = <E extends HTMLElement>(selector: string): E =>
+  document.querySelector<E>(selector)!;
 const query = new URLSearchParams(location.search);
 
 const viewer = new Viewer();
@@ -12,7 +13,10 @@ listenToControls();
 acceptFiles();
 const first = samples.find(({ id }) => id === query.get('sample')) ?? samples[0];
 if (first) play(first);
-else viewer.say('No samples lie beside this page. Open an .isostar file, or drop one here.');
+else
+  viewer.showMessage(
+    'There are no samples beside this page. Open an .isostar file, or drop one here.',
+  );
 
 function play(sample: Sample): void {
   element<HTMLSelectElement>('#sample').value = sample.id;
@@ -27,19 +31,22 @@ function listenToControls(): void {
   const rates = element('#rate');
   const wanted = rates.querySelector<HTMLInputElement>(`input[value="${query.get('rate') ?? 5}"]`);
   if (wanted) wanted.checked = true;
-  const rate = () => viewer.setRate(1e6 * Number(rates.querySelector<HTMLInputElement>(':checked')!.value));
+  const rate = () =>
+    viewer.setRate(1e6 * Number(rates.querySelector<HTMLInputElement>(':checked')!.value));
   rate();
   rates.addEventListener('change', () => {
     rate();
     void viewer.replay();
   });
 
-  element('#polygonizer').addEventListener('change', ({ target }) => viewer.setPolygonizer((target as HTMLInputElement).value as Polygonizer));
+  element('#polygonizer').addEventListener('change', ({ target }) =>
+    viewer.setPolygonizer((target as HTMLInputElement).value as Polygonizer),
+  );
   element('#replay').addEventListener('click', () => void viewer.replay());
   element('#fit').addEventListener('click', () => viewer.stage.fit());
   onToggle('#wireframe', (on) => viewer.stage.setWireframe(on));
   onToggle('#compare', (on) => viewer.setComparing(on));
-  addEventListener('keydown', obeyKey);
+  addEventListener('keydown', handleKey);
 }
 
 function onToggle(selector: string, set: (on: boolean) => void): void {
@@ -51,9 +58,15 @@ function onToggle(selector: string, set: (on: boolean) => void): void {
   });
 }
 
-function obeyKey(event: KeyboardEvent): void {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement) return;
-  const buttons: Record<string, string> = { f: '#fit', w: '#wireframe', c: '#compare', r: '#replay' };
+function handleKey(event: KeyboardEvent): void {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement)
+    return;
+  const buttons: Record<string, string> = {
+    f: '#fit',
+    w: '#wireframe',
+    c: '#compare',
+    r: '#replay',
+  };
   const button = buttons[event.key.toLowerCase()];
   if (button) element(button).click();
 }

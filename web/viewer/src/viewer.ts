@@ -1,31 +1,37 @@
 import type { Polygonizer, Surface } from 'isostar';
-import { Draco } from './draco.ts';
-import { Download, fromAddress, type Origin } from './download.ts';
-import { idle, nextPicture } from './idle.ts';
-import { IsovalueSlider } from './isovalue-slider.ts';
-import type { Sample } from './samples.ts';
-import { Side } from './side.ts';
-import { Stage } from './stage.ts';
-import { Statistics } from './statistics.ts';
-import { Timeline } from './timeline.ts';
-import { Track } from './track.ts';
+import { Draco } from './draco/draco.ts';
+import { Download, fromAddress, type Origin } from './stream/download.ts';
+import { idle, nextFrame } from './idle.ts';
+import { IsovalueSlider } from './panel/isovalue-slider.ts';
+import type { Sample } from './stream/samples.ts';
+import { Side } from './panel/side.ts';
+import { Stage } from './scene/stage.ts';
+import { Statistics } from './panel/statistics.ts';
+import { Timeline } from './panel/timeline.ts';
+import { Track } from './stream/track.ts';
 
 const ORBIT: readonly [number, number] = [-32, 12];
-const TICK = 80;  // milliseconds between two looks at the transfers
+const UPDATE_INTERVAL = 80; // milliseconds between two updates of the transfers' figures
 
-const element = <E extends HTMLElement>(selector: string): E => document.querySelector<E>(selector)!;
+const element = <E extends HTMLElement>(selector: string): E =>
+  document.querySelector<E>(selector)!;
 
-/** What is loaded, how it comes along, and what is shown of it. */
+/** Loads a stream, and Draco's file beside it, and shows both with their figures. */
 export class Viewer {
   readonly stage = new Stage(element<HTMLCanvasElement>('#picture'));
-  readonly #statistics = new Statistics(element<HTMLTableElement>('#statistics'), element('#headline'));
-  readonly #ours = new Side('isostar', this.#statistics);
-  readonly #theirs = new Side('draco', this.#statistics);
+  readonly #statistics = new Statistics(
+    element<HTMLTableElement>('#statistics'),
+    element('#headline'),
+  );
+  readonly #isostarSide = new Side('isostar', this.#statistics);
+  readonly #dracoSide = new Side('draco', this.#statistics);
   readonly #timeline = new Timeline(element('#timeline'), (bytes) => this.#track.scrub(bytes));
-  readonly #isovalues = new IsovalueSlider(element('#isovalue'), (isovalue) => this.#track.turn(isovalue));
+  readonly #isovalues = new IsovalueSlider(element('#isovalue'), (isovalue) =>
+    this.#track.setIsovalue(isovalue),
+  );
   readonly #track = new Track({
     surface: (surface, isLive) => this.#show(surface, isLive),
-    failure: (reason) => this.say(reasonOf(reason)),
+    failure: (reason) => this.showMessage(reasonOf(reason)),
   });
   readonly #draco = new Draco();
   #origin: Origin | undefined;
@@ -33,13 +39,13 @@ export class Viewer {
   #bitsPerSecond = Infinity;
   #isComparing = true;
   #isFramed = false;
-  #contest = 0;
+  #run = 0;
 
   constructor() {
-    setInterval(() => this.#tick(), TICK);
+    setInterval(() => this.#update(), UPDATE_INTERVAL);
   }
 
-  /** Loads a stream, and what Draco makes of the same surface where the sample has it. */
+  /** Loads a stream, and Draco's file of the same surface if the sample has one. */
   async play(origin: Origin, sample?: Sample): Promise<void> {
     this.#origin = origin;
     this.#sample = sample;
@@ -51,24 +57,31 @@ export class Viewer {
   async replay(): Promise<void> {
     const origin = this.#origin;
     if (!origin) return;
-    const contest = ++this.#contest;
-    this.say('');
+    const run = ++this.#run;
+    this.showMessage('');
     this.#timeline.clear();
     this.#isovalues.clear();
     this.stage.show(0, undefined);
     this.stage.show(1, undefined);
     this.#arrange();
-    // Neither side's time counts the download of its decoder.
-    await Promise.all([this.stage.warm(), this.#track.ready(), this.#isSplit && this.#draco.ready()]);
-    if (contest !== this.#contest) return;
+    // The times of both sides exclude the download of their decoders.
+    await Promise.all([
+      this.stage.warm(),
+      this.#track.ready(),
+      this.#isSplit && this.#draco.ready(),
+    ]);
+    if (run !== this.#run) return;
     const begin = performance.now();
     const draco = this.#isSplit ? this.#sample?.draco : undefined;
     const download = new Download(origin, this.#bitsPerSecond);
-    this.#ours.begin(begin, download);
-    this.#theirs.begin(begin, draco && new Download(fromAddress(draco.file), this.#bitsPerSecond));
+    this.#isostarSide.begin(begin, download);
+    this.#dracoSide.begin(
+      begin,
+      draco && new Download(fromAddress(draco.file), this.#bitsPerSecond),
+    );
     this.#track.play(download);
     this.#compare();
-    if (draco) await this.#playDraco(contest);
+    if (draco) await this.#playDraco(run);
   }
 
   setRate(bitsPerSecond: number): void {
@@ -81,12 +94,12 @@ export class Viewer {
 
   setComparing(isComparing: boolean): void {
     this.#isComparing = isComparing;
-    if (this.#isSplit && !this.#theirs.download) void this.replay();
+    if (this.#isSplit && !this.#dracoSide.download) void this.replay();
     else this.#arrange();
   }
 
-  /** A line for the person; none takes the last away. */
-  say(text: string): void {
+  /** A line for the user; an empty one removes it. */
+  showMessage(text: string): void {
     element('#message').textContent = text;
     element('#message').hidden = text === '';
   }
@@ -107,9 +120,9 @@ export class Viewer {
     this.#frame(surface);
     this.#timeline.show(surface, isLive);
     this.#isovalues.show(surface);
-    this.#tick();
+    this.#update();
     const { info, milliseconds } = surface;
-    this.#ours.learn({
+    this.#isostarSide.addFigures({
       bytes: surface.bytes,
       sourceVertices: info.vertices,
       error: surface.error,
@@ -119,33 +132,37 @@ export class Viewer {
       decode: milliseconds.decode,
       polygonize: milliseconds.polygonize,
     });
-    element('#status').textContent = `Level ${surface.level + 1} of ${surface.levels}${surface.final ? ', complete' : ''}`;
+    element('#status').textContent =
+      `Level ${surface.level + 1} of ${surface.levels}${surface.final ? ', complete' : ''}`;
     if (isLive) void this.#time(surface);
   }
 
   async #time({ final }: Surface): Promise<void> {
-    const { first, complete } = this.#ours.figures;
+    const { first, complete } = this.#isostarSide.figures;
     if (first !== undefined && (!final || complete !== undefined)) return;
-    const contest = this.#contest;
-    await nextPicture();
-    if (contest !== this.#contest) return;
-    const now = this.#ours.elapsed();
-    this.#ours.learn({ first: first ?? now, ...(final && { complete: complete ?? now }) });
+    const run = this.#run;
+    await nextFrame();
+    if (run !== this.#run) return;
+    const now = this.#isostarSide.elapsed();
+    this.#isostarSide.addFigures({
+      first: first ?? now,
+      ...(final && { complete: complete ?? now }),
+    });
     this.#compare();
   }
 
-  async #playDraco(contest: number): Promise<void> {
+  async #playDraco(run: number): Promise<void> {
     try {
-      const bytes = await this.#theirs.download!.whole();
+      const bytes = await this.#dracoSide.download!.whole();
       const surface = await this.#draco.decode(bytes);
       await idle();
-      if (contest !== this.#contest) return;
+      if (run !== this.#run) return;
       this.stage.show(1, surface);
-      await nextPicture();
-      const now = this.#theirs.elapsed();
-      this.#theirs.learn({
+      await nextFrame();
+      const now = this.#dracoSide.elapsed();
+      this.#dracoSide.addFigures({
         bytes: bytes.length,
-        sourceVertices: this.#ours.figures.sourceVertices,
+        sourceVertices: this.#isostarSide.figures.sourceVertices,
         error: this.#sample?.draco?.error,
         vertices: surface.positions.length / 3,
         triangles: surface.indices.length / 3,
@@ -156,16 +173,23 @@ export class Viewer {
       });
       this.#compare();
     } catch (reason) {
-      if (contest === this.#contest) this.say(reasonOf(reason));
+      if (run === this.#run) this.showMessage(reasonOf(reason));
     }
   }
 
   #compare(): void {
-    const sizes = this.#sample?.draco && { isostar: this.#sample.bytes, draco: this.#sample.draco.bytes };
-    this.#statistics.compare(this.#isSplit ? sizes : undefined, this.#ours.figures.first, this.#theirs.figures.first);
+    const sizes = this.#sample?.draco && {
+      isostar: this.#sample.bytes,
+      draco: this.#sample.draco.bytes,
+    };
+    this.#statistics.compare(
+      this.#isSplit ? sizes : undefined,
+      this.#isostarSide.figures.first,
+      this.#dracoSide.figures.first,
+    );
   }
 
-  /** The camera is set once a subject: a replay leaves it where it is. */
+  /** Sets the camera once per subject; a replay does not move it. */
   #frame(surface: Surface): void {
     if (surface.positions.length === 0) return;
     if (this.#isFramed) return this.stage.follow(surface);
@@ -173,10 +197,11 @@ export class Viewer {
     this.stage.frame(surface, this.#sample?.orbit ?? ORBIT);
   }
 
-  #tick(): void {
-    this.#ours.tick();
-    this.#theirs.tick();
-    if (this.#ours.download) this.#timeline.receive(this.#ours.download.length, this.#ours.download.total);
+  #update(): void {
+    this.#isostarSide.update();
+    this.#dracoSide.update();
+    if (this.#isostarSide.download)
+      this.#timeline.receive(this.#isostarSide.download.length, this.#isostarSide.download.total);
   }
 }
 

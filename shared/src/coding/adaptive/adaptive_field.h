@@ -5,6 +5,7 @@
 #include "coding/adaptive/adaptive_level.h"
 #include "coding/adaptive/adaptive_mesh.h"
 #include "coding/geometry/exponent_coder.h"
+#include "coding/geometry/geometry_pass.h"
 #include "coding/geometry/magnitude_coder.h"
 #include "estimate/completion.h"
 
@@ -34,6 +35,21 @@ class AdaptiveField {
     return levels_[static_cast<std::size_t>(level)];
   }
 
+  /// Codes one layer of an adaptive stream.
+  template <CodecExchange<D> Exchange>
+  void code(Exchange& exchange, const GeometryPass<D>& pass, const Header& header) {
+    switch (pass.kind) {
+      case LayerKind::Base:
+        return mesh.base(exchange);
+      case LayerKind::Refinement:
+        return mesh.refine(exchange);
+      case LayerKind::Exponents:
+        return codeExponents(exchange, pass.exponentRange, header.polygonizer);
+      default:
+        return codeMagnitudes(exchange, pass.magnitudePass(header.fitted));
+    }
+  }
+
   /// Bytes in use beside the models, while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     uint64_t sum = mesh.memory() + coarserDisplacements.memory();
@@ -47,15 +63,15 @@ class AdaptiveField {
 
   /// Scalars of an octave: of the vertices of its leaves that coarser ones have not told. On the
   /// finest, `cubes` needs no ends of diagonals.
-  template <class Exchange>
-  void codeExponents(Exchange& exchange, int depth, Polygonizer polygonizer) {
+  template <CodecExchange<D> Exchange>
+  void codeExponents(Exchange& exchange, int exponentRange, Polygonizer polygonizer) {
     const int level = coded();
     levels_.push_back(next(last(), level));
     if (!coders_) coders_.emplace();
     auto& adaptive = levels_.back();
     coders_->exponents.code(
-        exchange, adaptive.signs, adaptive.scalars, Members::AxisEnds, depth, adaptive.active,
-        [&](Tube<D>& tube) {
+        exchange, adaptive.signs, adaptive.scalars, Members::AxisEnds, exponentRange,
+        adaptive.active, [&](Tube<D>& tube) {
           if (level < mesh.level() || polygonizer == Polygonizer::Tetrahedra)
             tube.addDiagonalEnds(adaptive.signs);
           const auto& known = adaptive.scalars.at(tube.table().index(tube.at()));
@@ -65,7 +81,7 @@ class AdaptiveField {
           });
         });
   }
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void codeMagnitudes(Exchange& exchange, const typename MagnitudeCoder<D>::Pass& pass) {
     auto& adaptive = levels_.back();
     coders_->magnitudes.code(exchange, adaptive.signs, adaptive.scalars, pass, adaptive.active);

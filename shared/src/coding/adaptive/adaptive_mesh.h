@@ -76,14 +76,14 @@ class AdaptiveMesh {
     return sum;
   }
 
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void base(Exchange& exchange) {
     BaseCoder<D>().code(exchange, signs_.front());
   }
 
   /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the
   /// others.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void refine(Exchange& exchange) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
     coders_->refinement.code(exchange, fine, &absent);
@@ -93,13 +93,13 @@ class AdaptiveMesh {
   }
 
   /// The base and all octaves at once; what shows is only the whole.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void codeAll(Exchange& exchange, int finestLevel) {
     exchange.enter(0);
     base(exchange);
     for (int level = 1; level <= finestLevel; ++level) {
       exchange.hold(memory());
-      if (exchange.exhausted(memoryToRefine())) return;
+      if (!exchange.charge(memoryToRefine())) return;
       exchange.enter(level);
       refine(exchange);
     }
@@ -107,7 +107,7 @@ class AdaptiveMesh {
 
   /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds
   /// that made them absent.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void fill(Exchange& exchange, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "coding/exchange/exchange_concepts.h"
 #include "coding/exchange/rdoq_target.h"
 #include "entropy/models.h"
 #include "estimate/shape_estimate.h"
@@ -21,7 +22,8 @@ class EncoderExchange {
       : coder_(coder), actual_(&actual), field_(field) {}
 
   Coder& coder() { return coder_; }
-  [[nodiscard]] bool exhausted(uint64_t = 0) const { return false; }
+  [[nodiscard]] bool exhausted() const { return false; }
+  [[nodiscard]] bool charge(uint64_t) const { return true; }
   void hold(uint64_t) {}
 
   /// A layer of several octaves: their signs and the centres of their cells that stay whole, by
@@ -43,7 +45,7 @@ class EncoderExchange {
   }
   /// Is any vertex of a brick not of the sign given?
   [[nodiscard]] bool varies(std::size_t brickIndex, uint32_t uniform) const {
-    return actual_->index(brickIndex) != uniform;
+    return actual_->slot(brickIndex) != uniform;
   }
   [[nodiscard]] bool positive(const Coordinates<D>& v) const { return actual_->at(v); }
   /// The first crossing simplex that has not been visited.
@@ -72,8 +74,8 @@ class EncoderExchange {
   template <class CodedAt, class Allowed>
   [[nodiscard]] RdoqTarget<D> target(std::size_t brickIndex, std::size_t r, int x, CodedAt codedAt,
                                      const Allowed& allowed) const {
-    if constexpr (requires { field_.errors(brickIndex, r, x, codedAt, allowed); })
-      return {magnitude(brickIndex, r, x), field_.errors(brickIndex, r, x, codedAt, allowed)};
+    if constexpr (requires { field_.distortion(brickIndex, r, x, codedAt, allowed); })
+      return {magnitude(brickIndex, r, x), field_.distortion(brickIndex, r, x, codedAt, allowed)};
     return {magnitude(brickIndex, r, x), {}};
   }
   /// The typical difference along a crossing edge of the brick, 4 log2 of quanta.
@@ -115,13 +117,19 @@ class DecoderExchange {
       : coder_(coder), slack_(slack), budget_(budget) {}
 
   RangeDecoder& coder() { return coder_; }
-  /// Are the bytes or the budget used up? What would be decoded from here on is noise.
-  [[nodiscard]] bool exhausted(uint64_t memory = 0) {
+  /// Are the bytes of the layer or the memory used up? What would be decoded from here on is noise.
+  [[nodiscard]] bool exhausted() const { return overBudget_ || coder_.overrun() > slack_; }
+  /// Accounts for the memory that the state in work uses. False once the budget has been exceeded,
+  /// or the bytes are used up: then nothing more may be decoded.
+  [[nodiscard]] bool charge(uint64_t memory) {
     overBudget_ = overBudget_ || memory + held_ > budget_;
-    return overBudget_ || coder_.overrun() > slack_;
+    return !exhausted();
   }
-  /// Bytes that are in use beside those of the state in work.
-  void hold(uint64_t bytes) { held_ = bytes; }
+  /// Bytes in use beside those that charge() is given.
+  void hold(uint64_t bytes) {
+    held_ = bytes;
+    overBudget_ = overBudget_ || held_ > budget_;
+  }
   void enter(int) {}
   [[nodiscard]] bool overBudget() const { return overBudget_; }
 

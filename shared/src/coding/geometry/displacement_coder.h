@@ -3,6 +3,7 @@
 #pragma once
 
 #include "coding/exchange/exchange.h"
+#include "entropy/unary.h"
 #include "scalars/displacement_window.h"
 #include "util/cold_path.h"
 
@@ -16,11 +17,11 @@ class DisplacementCoder {
  public:
   ISOSTAR_COLD DisplacementCoder() { weights_.fill(Mixer<kInputs>::initialWeights()); }
 
-  template <class Exchange>
+  template <DisplacementExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, Displacements<D>& displacements,
             const DisplacementPass& pass, const std::vector<uint8_t>& active) {
     for (std::size_t brickIndex = 0;
-         brickIndex < active.size() && !exchange.exhausted(displacements.memory()); ++brickIndex) {
+         brickIndex < active.size() && exchange.charge(displacements.memory()); ++brickIndex) {
       if (active[brickIndex] != 0) cubes(exchange, signs, displacements, brickIndex, pass);
     }
   }
@@ -32,7 +33,7 @@ class DisplacementCoder {
   static constexpr std::size_t kDecisions = kMost + 1;
   static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4, kWideTrusts = 8;
 
-  template <class Exchange>
+  template <DisplacementExchange Exchange>
   void cubes(Exchange& exchange, const Signs<D>& signs, Values& displacements,
              std::size_t brickIndex, const DisplacementPass& pass) {
     findMembers(signs, displacements, brickIndex);
@@ -116,7 +117,7 @@ class DisplacementCoder {
     }
   };
 
-  template <class Exchange>
+  template <DisplacementExchange Exchange>
   ISOSTAR_COLD void cube(Exchange& exchange, typename Values::Brick& own, std::size_t brickIndex,
                          const Coordinates<D>& first, int side, int step) {
     const std::size_t corner = Values::blockAt(first);
@@ -183,11 +184,12 @@ class DisplacementCoder {
     return neighbours;
   }();
 
-  template <class Exchange>
+  template <DisplacementExchange Exchange>
   int code(Exchange& exchange, const Context& c, int actual) {
-    const auto decide = [&](std::size_t decision, bool value) {
+    const auto decide = [&](int n, bool answer) {
+      const auto decision = static_cast<std::size_t>(n);
       return Mixer<kInputs>::template bit<255, 11>(
-          exchange.coder(), value,
+          exchange.coder(), answer,
           {&byBelow_[((decision * kMeans + c.below) * kTrusts + c.trust) * kShares + c.share],
            &byAround_[(decision * kWideMeans + c.around) * kTrusts + c.trust],
            &byBoth_[(decision * kMeans + c.below) * kWideMeans + c.around],
@@ -196,12 +198,7 @@ class DisplacementCoder {
                     c.wideAround]},
           weights_[decision]);
     };
-    if (!decide(0, actual != 0)) return 0;
-    const bool negative = decide(1, actual < 0);
-    int size = 1;
-    while (size < kMost && decide(static_cast<std::size_t>(size) + 1, std::abs(actual) > size))
-      ++size;
-    return negative ? -size : size;
+    return codeSignedUnary(actual, kMost, decide);
   }
 
   Tube<D> tube_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "coding/exchange/exchange.h"
+#include "entropy/unary.h"
 #include "grid/tube.h"
 #include "scalars/scalar_window.h"
 #include "util/cold_path.h"
@@ -19,12 +20,12 @@ class DomainCoder {
   explicit DomainCoder(int32_t reach) : reach_(reach) {}
 
   /// `diagonals`: also at vertices that only `tetrahedra` needs.
-  template <class Exchange>
+  template <DomainExchange Exchange>
   ISOSTAR_COLD void code(Exchange& exchange, const Signs<D>& signs,
                          const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
     for (const bool sides : {true, false}) {
       for (std::size_t brickIndex = 0;
-           brickIndex < active.size() && !exchange.exhausted(domain.memory()); ++brickIndex) {
+           brickIndex < active.size() && exchange.charge(domain.memory()); ++brickIndex) {
         if (active[brickIndex] == 0) continue;
         tube_.enter(signs, brickIndex, Members::AxisEnds);
         if (diagonals) tube_.addDiagonalEnds(signs);
@@ -73,7 +74,7 @@ class DomainCoder {
     return value != Scalars<D>::kUnknown && std::abs(value) < far();
   }
 
-  template <class Exchange>
+  template <DomainExchange Exchange>
   ISOSTAR_COLD void brick(Exchange& exchange, std::size_t brickIndex, bool sides,
                           Scalars<D>& domain) {
     auto& brick = domain.writable(brickIndex);
@@ -87,7 +88,7 @@ class DomainCoder {
 
   /// What is known of a vertex, once its side has been told in context of its neighbours', or its
   /// distance where they are not all on one side.
-  template <class Exchange>
+  template <DomainExchange Exchange>
   [[gnu::noinline]] ISOSTAR_COLD int32_t code(Exchange& exchange, const int32_t* here, bool side,
                                               int32_t actual) {
     int sum = 0;
@@ -127,7 +128,7 @@ class DomainCoder {
   }
 
   /// As steps from the guess, one way or the other.
-  template <class Exchange>
+  template <DomainExchange Exchange>
   ISOSTAR_COLD int32_t codeDistance(Exchange& exchange, const int32_t* here, int32_t actual) {
     const bool inside = *here >= 0;
     const auto [guess, trust] = this->guess(here);
@@ -135,17 +136,14 @@ class DomainCoder {
     const bool less = guess > 0 && bit(exchange, less_[trust], difference < 0);
     const int32_t wanted = less ? -difference : difference,
                   most = less ? guess : reach_ - 1 - guess;
-    int32_t steps = less ? 1 : 0;
-    while (steps < most &&
-           bit(exchange,
-               more_[trust][std::min<std::size_t>(static_cast<std::size_t>(steps), kSteps - 1)],
-               wanted > steps))
-      ++steps;
+    const int steps = codeUnary(wanted, less ? 1 : 0, most, [&](int n, bool larger) {
+      return bit(exchange, more_[trust][std::min(static_cast<std::size_t>(n), kSteps - 1)], larger);
+    });
     const int32_t coded = less ? guess - steps : guess + steps;
     return inside ? 2 * coded + 1 : -2 * coded - 1;
   }
 
-  template <class Exchange>
+  template <DomainExchange Exchange>
   ISOSTAR_COLD static bool bit(Exchange& exchange, BitModel& probability, bool actual) {
     return probability.bit(exchange.coder(), actual);
   }

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "coding/exchange/exchange.h"
+#include "entropy/unary.h"
 #include "estimate/hints.h"
 #include "estimate/prediction.h"
 #include "grid/tube.h"
@@ -26,27 +27,27 @@ class ExponentCoder {
   }
 
   /// A brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least,
-  /// floor being `depth` octaves below the brick's gradient.
-  template <class Exchange>
+  /// floor being `exponentRange` octaves below the brick's gradient.
+  template <MagnitudeExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members,
-            int depth, const std::vector<uint8_t>& active, const Hints<D>& hints = {}) {
+            int exponentRange, const std::vector<uint8_t>& active, const Hints<D>& hints = {}) {
     hints_ = hints;
-    code(exchange, signs, scalars, members, depth, active, [](Tube<D>&) {});
+    code(exchange, signs, scalars, members, exponentRange, active, [](Tube<D>&) {});
   }
 
   /// The same for the members that choose(tube) leaves or adds.
-  template <class Exchange, class Choose>
+  template <MagnitudeExchange Exchange, class Choose>
   void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members,
-            int depth, const std::vector<uint8_t>& active, Choose choose) {
+            int exponentRange, const std::vector<uint8_t>& active, Choose choose) {
     for (std::size_t brickIndex = 0;
-         brickIndex < active.size() && !exchange.exhausted(scalars.memory()); ++brickIndex) {
+         brickIndex < active.size() && exchange.charge(scalars.memory()); ++brickIndex) {
       if (active[brickIndex] == 0) continue;
       tube_.enter(signs, brickIndex, members);
       choose(tube_);
       if (tube_.empty()) continue;
       if (!scalars.hasGradient(brickIndex)) codeGradient(exchange, scalars, brickIndex);
       if (exchange.exhausted()) return;  // what was read of the gradient may be noise
-      brick(exchange, scalars, members, brickIndex, depth);
+      brick(exchange, scalars, members, brickIndex, exponentRange);
     }
   }
 
@@ -64,30 +65,24 @@ class ExponentCoder {
 
   /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one
   /// told.
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   void codeGradient(Exchange& exchange, Scalars<D>& scalars, std::size_t brickIndex) {
     const int actual = exchange.gradient(brickIndex) - lastGradient_;
     auto& coder = exchange.coder();
-    int difference = 0;
-    if (gradientModel_[0].bit(coder, actual != 0)) {
-      const bool down = gradientModel_[1].bit(coder, actual < 0);
-      int size = 1;
-      while (size < 128 && gradientModel_[static_cast<std::size_t>(std::min(size + 1, 15))].bit(
-                               coder, (down ? -actual : actual) > size))
-        ++size;
-      difference = down ? -size : size;
-    }
+    const int difference = codeSignedUnary(actual, 128, [&](int n, bool answer) {
+      return gradientModel_[static_cast<std::size_t>(std::min(n, 15))].bit(coder, answer);
+    });
     lastGradient_ = std::clamp(lastGradient_ + difference, 0, kMostGradient);
     scalars.setGradient(brickIndex, lastGradient_);
   }
 
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   void brick(Exchange& exchange, Scalars<D>& scalars, Members members, std::size_t brickIndex,
-             int depth) {
+             int exponentRange) {
     auto& brick = scalars.writable(brickIndex);
     brick.members[static_cast<std::size_t>(members)] = tube_.members();
     gradient_ = scalars.gradient(brickIndex);
-    floor_ = std::clamp(gradient_ / 4 - depth, 0, kMostWidth);
+    floor_ = std::clamp(gradient_ / 4 - exponentRange, 0, kMostWidth);
     window_.load(scalars, tube_.table(), tube_.at());
     shapes_.load(tube_.window());
     if (hints_.displaced()) {
@@ -111,8 +106,8 @@ class ExponentCoder {
       });
   }
 
-  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none. `size`: eighths() of
-  /// a sum of so many.
+  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none. `size`:
+  /// log2Eighths() of a sum of so many.
   [[nodiscard]] std::size_t relative(int size, int count) const {
     static constexpr std::array<int8_t, 9> kOfTwice{0,  8,  16, 21, 24,
                                                     27, 29, 30, 32};  // 8 log2 of twice as many
@@ -123,10 +118,10 @@ class ExponentCoder {
 
   /// Counted from the floor: from the octave that is guessed, up or down until it is found. The
   /// contexts of one vertex lie side by side.
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   int codeExponent(Exchange& exchange, const Prediction<D>& p, uint32_t actual) {
-    const Lanes sizes = eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}),
-                ones = eighths(Lanes{p.magnitude, p.own});
+    const Lanes sizes = log2Eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}),
+                ones = log2Eighths(Lanes{p.magnitude, p.own});
     const int toSteps = 8 * (shift_ - 1), guessed = ones[0] + toSteps;
     const int exponent = std::max(0, 32 - std::countl_zero(actual) - floor_),
               last = kMostWidth - floor_;

@@ -12,7 +12,8 @@ namespace isostar {
 template <int D>
 class FitCoder {
  public:
-  ISOSTAR_COLD FitCoder() : byLevel_(kFitContexts), byBent_(kFitContexts), byBoth_(kBothContexts) {
+  ISOSTAR_COLD FitCoder()
+      : byLinear_(kFitContexts), byCurved_(kFitContexts), byBoth_(kBothContexts) {
     weights_.fill(Mixer<4>::initialWeights());
   }
 
@@ -23,20 +24,20 @@ class FitCoder {
     fit_ = LocalFit<D>::of(window_, r, x, positive);
   }
   /// Takes over what has been told of it.
-  void code(std::size_t r, int x, int32_t scalar) { window_.code(r, x, scalar); }
+  void update(std::size_t r, int x, int32_t scalar) { window_.update(r, x, scalar); }
 
   /// Does the vertex found last lie in the upper half? `middle` in half quanta, 2^log2Half of these
   /// to each end; `fineness`: of the interval, 0 … 7; `byPairs`: the chance by pairs of neighbours.
   template <class Coder>
   bool upper(Coder& coder, bool actual, uint32_t middle, int log2Half, std::size_t fineness,
              BitModel& byPairs) {
-    const std::size_t level = ratioOf(fit_.level, middle, log2Half),
-                      bent = ratioOf(fit_.bent, middle, log2Half);
+    const std::size_t linear = ratioOf(fit_.linear, middle, log2Half),
+                      curved = ratioOf(fit_.curved, middle, log2Half);
     const std::size_t counted =
         fineness * kCounts + static_cast<std::size_t>(std::min(fit_.known / 3, kCounts - 1));
     const std::array<BitModel*, 4> contexts{
-        &byPairs, &byLevel_[counted * kRatios + level], &byBent_[counted * kRatios + bent],
-        &byBoth_[(fineness * (kRatios / 2) + level / 2) * (kRatios / 2) + bent / 2]};
+        &byPairs, &byLinear_[counted * kRatios + linear], &byCurved_[counted * kRatios + curved],
+        &byBoth_[(fineness * (kRatios / 2) + linear / 2) * (kRatios / 2) + curved / 2]};
     return Mixer<4>::template bit<255, 10>(coder, actual, contexts, weights_[counted]);
   }
 
@@ -57,7 +58,7 @@ class FitCoder {
 
   FitWindow<D> window_;
   LocalFit<D> fit_;  // of the vertex in work
-  std::vector<BitModel> byLevel_, byBent_, byBoth_;
+  std::vector<BitModel> byLinear_, byCurved_, byBoth_;
   std::array<Mixer<4>::Weights, kFinenesses * kCounts> weights_;
 };
 

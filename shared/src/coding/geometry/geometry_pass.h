@@ -15,7 +15,7 @@ struct GeometryPass {
 
   LayerKind kind = LayerKind::Exponents;
   Members members = Members::AxisEnds;
-  int depth = 3;                    // Octaves: of the floor below the gradient
+  int exponentRange = 3;            // Octaves: of the floor below the gradient
   Allowed allowed{};                // Halving
   int most = 1;                     // Halving: of one interval
   bool selective = false;           // Halving: only in bricks that are told
@@ -33,7 +33,7 @@ struct GeometryPass {
       return;
     }
     if (kind == LayerKind::Exponents) {
-      out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(depth) << 1);
+      out.u8(static_cast<uint64_t>(members) | static_cast<uint64_t>(exponentRange) << 1);
       return;
     }
     out.u8(static_cast<uint64_t>(members) | (selective ? 2u : 0u) |
@@ -52,8 +52,8 @@ struct GeometryPass {
     }
     members = static_cast<Members>(first & 1);
     if (kind == LayerKind::Exponents) {
-      depth = static_cast<int>(first >> 1);
-      return depth <= 32;
+      exponentRange = static_cast<int>(first >> 1);
+      return exponentRange <= 32;
     }
     selective = (first & 2) != 0;
     most = static_cast<int>(first >> 2);

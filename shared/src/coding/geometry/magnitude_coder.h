@@ -32,7 +32,7 @@ class MagnitudeCoder {
     bool fitted = false;
   };
 
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass,
             const std::vector<uint8_t>& active) {
     if (pass.fitted && !fit_) fit_.emplace();
@@ -61,7 +61,7 @@ class MagnitudeCoder {
   static constexpr int kRatios = 32;
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
 
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   void vertex(Exchange& exchange, typename Scalars<D>::Brick& brick, std::size_t brickIndex,
               std::size_t r, int x, const Pass& pass) {
     const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
@@ -83,7 +83,7 @@ class MagnitudeCoder {
       halve(exchange, interval, guess, target, pass);
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
-    if (pass.fitted) fit_->code(r, x, brick.value[v]);
+    if (pass.fitted) fit_->update(r, x, brick.value[v]);
   }
 
   [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
@@ -101,7 +101,7 @@ class MagnitudeCoder {
     return interval.middle;
   }
 
-  template <class Exchange, class RdoqTarget>
+  template <MagnitudeExchange Exchange, class RdoqTarget>
   void halve(Exchange& exchange, Interval& interval, const Interpolation<D>& guess,
              RdoqTarget& target, const Pass& pass) {
     const Interval whole = interval;

@@ -58,7 +58,7 @@ class FurtherIsovalues {
 
   /// The signs of one more isovalue, `level` quanta above the first one; by `margin` levels and
   /// signs may disagree.
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   [[gnu::noinline]] void signs(Exchange& exchange, const First& first, double isovalue,
                                int32_t isoStep, int32_t margin) {
     if (surfaces_.empty()) takeOver(first);
@@ -83,10 +83,11 @@ class FurtherIsovalues {
   }
 
   /// Octaves of what has no bounds yet.
-  template <class Exchange>
-  [[gnu::noinline]] void exponents(Exchange& exchange, Members members, int depth) {
+  template <CodecExchange<D> Exchange>
+  [[gnu::noinline]] void exponents(Exchange& exchange, Members members, int exponentRange) {
     FurtherSurface<D>& last = surfaces_.back();
-    coders_->exponents.code(exchange, last.signs, last.scalars, members, depth, last.active);
+    coders_->exponents.code(exchange, last.signs, last.scalars, members, exponentRange,
+                            last.active);
     for (std::size_t brickIndex = 0; brickIndex < last.active.size(); ++brickIndex) {
       if (last.active[brickIndex] != 0 && last.scalars.has(brickIndex))
         intervals_.add(brickIndex, last.scalars.at(brickIndex), last.isoStep);
@@ -94,7 +95,7 @@ class FurtherIsovalues {
     last.coded[static_cast<std::size_t>(members)] = true;
   }
 
-  template <class Exchange>
+  template <CodecExchange<D> Exchange>
   void magnitudes(Exchange& exchange, const typename FurtherMagnitudeCoder<D>::Pass& pass) {
     FurtherSurface<D>& last = surfaces_.back();
     coders_->magnitudes.code(exchange, last.signs, last.isoStep, intervals_, last.scalars, pass,

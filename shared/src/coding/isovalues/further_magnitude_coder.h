@@ -16,7 +16,7 @@ class FurtherMagnitudeCoder {
   using Pass = typename MagnitudeCoder<D>::Pass;
 
   /// `scalars` are what intervals tell as seen from `level`, the isovalue's.
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, int32_t isoStep, Intervals<D>& intervals,
             Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
     for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted();
@@ -67,7 +67,7 @@ class FurtherMagnitudeCoder {
                                                     int64_t{interval.high} + interval.width()));
   }
 
-  template <class Exchange>
+  template <MagnitudeExchange Exchange>
   void halve(Exchange& exchange, Interval& interval, int32_t guess, int confidence,
              int32_t actual) {
     const auto width = static_cast<int64_t>(interval.width());

@@ -36,7 +36,7 @@ class FurtherSignCoder {
 
   /// `signs` are the nearest isovalue's at first; `scalars` what intervals tell, seen from the new
   /// isovalue.
-  template <class Exchange>
+  template <SignExchange Exchange>
   [[gnu::noinline]] void code(Exchange& exchange, const Task& task, Intervals<D>& intervals,
                               Signs<D>& signs, Scalars<D>& scalars) {
     task_ = &task;
@@ -46,13 +46,12 @@ class FurtherSignCoder {
     front_.begin(signs, task.below, task.above);
     for (std::size_t brickIndex = 0; brickIndex < front_.tableSize(); ++brickIndex)
       decide(brickIndex);
-    for (std::size_t brickIndex = 0; brickIndex < front_.tableSize() && !exhausted(exchange);
+    for (std::size_t brickIndex = 0; brickIndex < front_.tableSize() && charge(exchange);
          ++brickIndex)
       codeCut(exchange, brickIndex);
     front_.queueAll();
     grow(exchange);
-    for (std::size_t first = 0; first < front_.tableSize() && !exhausted(exchange);
-         first += kGroup) {
+    for (std::size_t first = 0; first < front_.tableSize() && charge(exchange); first += kGroup) {
       group(exchange, first, std::min(first + kGroup, front_.tableSize()));
     }
     front_.end();
@@ -69,10 +68,10 @@ class FurtherSignCoder {
   static constexpr std::size_t kCrossingContexts = kSides * (kParts + 1) * 8;
   static constexpr std::size_t kPatternContexts = (1u << (2 * D)) * 5;
 
-  template <class Exchange>
-  bool exhausted(Exchange& exchange) const {
-    return exchange.exhausted(signs_->memory() + scalars_->memory() + intervals_->memory() +
-                              front_.memory());
+  template <SignExchange Exchange>
+  bool charge(Exchange& exchange) const {
+    return exchange.charge(signs_->memory() + scalars_->memory() + intervals_->memory() +
+                           front_.memory());
   }
 
   /// Does a known interval lie on one side?
@@ -98,7 +97,7 @@ class FurtherSignCoder {
   }
 
   /// Tells the vertices of a brick whose intervals the new isovalue cuts.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void codeCut(Exchange& exchange, std::size_t brickIndex) {
     if (!intervals_->has(brickIndex) || !front_.open(brickIndex)) return;
     const auto& known = intervals_->at(brickIndex);
@@ -115,10 +114,10 @@ class FurtherSignCoder {
     front_.leave();
   }
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   [[gnu::noinline]] void grow(Exchange& exchange) {
     while (const auto brickIndex = front_.next()) {
-      if (exhausted(exchange)) return;
+      if (!charge(exchange)) return;
       enter(*brickIndex);
       for (bool more = true; more;) {
         more = false;
@@ -135,7 +134,7 @@ class FurtherSignCoder {
   }
 
   /// Components that first appear.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void group(Exchange& exchange, std::size_t first, std::size_t end) {
     bool any = false, open = false;
     for (std::size_t brickIndex = first; brickIndex < end; ++brickIndex) {
@@ -143,7 +142,7 @@ class FurtherSignCoder {
       any = any || hasNewComponents(exchange, brickIndex);
     }
     if (!open || !groupFlag_.bit(exchange.coder(), any)) return;
-    for (std::size_t brickIndex = first; brickIndex < end && !exhausted(exchange); ++brickIndex) {
+    for (std::size_t brickIndex = first; brickIndex < end && charge(exchange); ++brickIndex) {
       if (!front_.open(brickIndex) ||
           !brickFlag_.bit(exchange.coder(), hasNewComponents(exchange, brickIndex)))
         continue;
@@ -151,28 +150,28 @@ class FurtherSignCoder {
     }
   }
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   [[gnu::noinline]] bool hasNewComponents(Exchange& exchange, std::size_t brickIndex) const {
     if (!front_.open(brickIndex)) return false;
-    const uint32_t index = signs_->index(brickIndex);
+    const uint32_t index = signs_->slot(brickIndex);
     if (index <= Signs<D>::kPositive && !exchange.varies(brickIndex, index)) return false;
     uint32_t any = 0;
     for (std::size_t r = 0; r < kRows; ++r) any |= exceptions(exchange, brickIndex, r);
     return any != 0;
   }
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   uint32_t exceptions(Exchange& exchange, std::size_t brickIndex, std::size_t r) const {
     return (exchange.row(brickIndex, r) ^ signs_->brickAt(brickIndex).rows[r]) &
            front_.openRow(brickIndex, r);
   }
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   void row(Exchange& exchange, std::size_t brickIndex, std::size_t r) {
     if (front_.openRow(brickIndex, r) == 0 ||
         !rowFlag_.bit(exchange.coder(), exceptions(exchange, brickIndex, r) != 0))
       return;
-    for (int x = 0; x < kBrickSide && !exhausted(exchange); ++x) {
+    for (int x = 0; x < kBrickSide && charge(exchange); ++x) {
       if ((front_.openRow(brickIndex, r) >> x & 1) == 0) continue;
       if (!vertexFlag_.bit(exchange.coder(), (exceptions(exchange, brickIndex, r) >> x & 1) != 0))
         continue;
@@ -188,10 +187,10 @@ class FurtherSignCoder {
     values_.load(*scalars_, signs_->table(), signs_->table().brick(brickIndex));
     shapes_.load(front_.window());
     if (scalars_->has(brickIndex)) gradient_ = scalars_->gradient(brickIndex);
-    steps_ = Steps(gradient_);
+    steps_ = SlopeUnit(gradient_);
   }
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   [[gnu::noinline]] void codeVertex(Exchange& exchange, std::size_t brickIndex, std::size_t r,
                                     int x) {
     const bool flipped = codeFlipped(exchange, r, x, known(brickIndex, vertexOf(r, x)),
@@ -201,7 +200,7 @@ class FurtherSignCoder {
 
   /// Has the vertex another sign than at the nearest isovalue? Contexts are seen from that sign's
   /// side.
-  template <class Exchange>
+  template <SignExchange Exchange>
   bool codeFlipped(Exchange& exchange, std::size_t r, int x, const Interval& interval,
                    bool actual) {
     const bool mine = front_.positive(r, x);
@@ -282,7 +281,7 @@ class FurtherSignCoder {
   ScalarWindow<D> values_;
   ShapeEstimate<D> shapes_{SmoothingFilter::Wide};
   int gradient_ = 4;
-  Steps steps_;
+  SlopeUnit steps_;
   std::vector<BitModel> byInterval_, byGuess_, byCrossings_, byPattern_;
   std::array<typename Mixer<kInputs>::Weights, kSides * 5> weights_;
   BitModel groupFlag_, brickFlag_, rowFlag_, vertexFlag_;

@@ -16,7 +16,7 @@ namespace isostar {
 template <int D>
 class BaseCoder {
  public:
-  template <class Exchange>
+  template <BaseExchange<D> Exchange>
   ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs) {
     const auto& lattice = signs.lattice();
     known_.assign(lattice.vertices(), kUnknown);
@@ -48,7 +48,7 @@ class BaseCoder {
   /// The hierarchy is a binary partition of space: one Left/Right decision halves the box across
   /// its longest side, until a cell is left; then the simplex in it. A side that is empty is no
   /// decision.
-  template <class Exchange>
+  template <BaseExchange<D> Exchange>
   Simplex<D> localize(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& actual) {
     Coordinates<D> low{}, high = lattice.last;  // cells low … high - 1
     const auto cell = actual.cell();
@@ -72,7 +72,7 @@ class BaseCoder {
     return Simplex<D>::inCell(low, first);
   }
 
-  template <class Exchange>
+  template <BaseExchange<D> Exchange>
   void component(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& seed) {
     for (int i = 0; i <= D; ++i) settle(exchange, lattice, seed.vertex(i), seedModel_);
     visited_[seed.index(lattice)] = true;
@@ -83,7 +83,7 @@ class BaseCoder {
   }
 
   /// Goes on through the first valid gate: a crossing face that leads to a simplex not yet visited.
-  template <class Exchange>
+  template <BaseExchange<D> Exchange>
   bool step(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D> from) {
     std::array<bool, D + 1> positive;
     int positives = 0;
@@ -105,7 +105,7 @@ class BaseCoder {
     return false;
   }
 
-  template <class Exchange>
+  template <BaseExchange<D> Exchange>
   void settle(Exchange& exchange, const Lattice<D>& lattice, const Coordinates<D>& v,
               BitModel& model) {
     uint8_t& known = known_[index(lattice, v)];

@@ -12,12 +12,12 @@ class FillingCoder {
   /// Those that are fresh on `dimension` axes, D first: all coarser ones are there by now, and a
   /// fresh one has its lower corner's sign for now. No component first appears here, or its
   /// vertices would not be absent.
-  template <class Exchange>
+  template <SignExchange Exchange>
   ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs, int dimension,
                          const Signs<D>& absent) {
     for (std::size_t brickIndex = 0;
-         brickIndex < signs.table().total() && !exchange.exhausted(signs.memory()); ++brickIndex) {
-      if (absent.index(brickIndex) == Signs<D>::kNegative) continue;
+         brickIndex < signs.table().total() && exchange.charge(signs.memory()); ++brickIndex) {
+      if (absent.slot(brickIndex) == Signs<D>::kNegative) continue;
       rows_.enter(signs, nullptr, brickIndex, dimension);
       for (int i = 0; i < rows_.openCount(); ++i) {
         auto& row = rows_.open(i);

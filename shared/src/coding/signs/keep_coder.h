@@ -9,10 +9,10 @@ namespace isostar {
 /// A cell stays whole if its centre is absent: told of each centre whose diamond has both signs, in
 /// context of how many centres around are absent.
 template <int D>
-class WholeCellCoder {
+class KeepCoder {
  public:
   /// Of the brick that has been entered, in the class of centres.
-  template <class Exchange>
+  template <KeepExchange Exchange>
   void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
     for (int i = 0; i < rows.openCount(); ++i) {
       auto& row = rows.open(i);

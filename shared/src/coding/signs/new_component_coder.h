@@ -14,19 +14,29 @@ class NewComponentCoder {
   using Row = typename NewVertexRows<D>::Row;
   using Bits = typename NewVertexRows<D>::Bits;
 
-  /// Has any brick of a group without a surface some?
-  template <class Coder>
-  bool inGroup(Coder& coder, int dimension, bool actual) {
-    return groupFlag_[dimension].bit(coder, actual);
+  /// Has any quiet (not active) brick of a group a new component? False without a decision where
+  /// no brick of the group is quiet.
+  template <SignExchange Exchange>
+  bool codeGroup(Exchange& exchange, const Signs<D>& signs, const std::vector<uint8_t>& active,
+                 NewVertexRows<D>& rows, std::size_t first, std::size_t end, int dimension) {
+    bool any = false, quiet = false;
+    for (std::size_t brickIndex = first; brickIndex < end; ++brickIndex) {
+      if (active[brickIndex] != 0) continue;
+      quiet = true;
+      any = any || differs(exchange, signs, rows, brickIndex, dimension);
+    }
+    return quiet && groupFlag_[dimension].bit(exchange.coder(), any);
   }
-  template <class Coder>
-  bool inQuietBrick(Coder& coder, int dimension, bool actual) {
-    return quietFlag_[dimension].bit(coder, actual);
+  template <SignExchange Exchange>
+  bool codeQuietBrick(Exchange& exchange, const Signs<D>& signs, NewVertexRows<D>& rows,
+                      std::size_t brickIndex, int dimension) {
+    return quietFlag_[dimension].bit(exchange.coder(),
+                                     differs(exchange, signs, rows, brickIndex, dimension));
   }
 
   /// Those of a brick near the surface, that has been entered; `told`: how many of its signs have
   /// been.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, int dimension,
             int coded) {
     if (brickFlag_[dimension][activity(coded)].bit(exchange.coder(),
@@ -35,13 +45,13 @@ class NewComponentCoder {
   }
 
   /// Of a brick that has some.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void codeRows(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, int coded) {
     int lately = 0;  // 0 before the first row that has some, 1 right after one, 2 later
     for (int i = 0; i < rows.count(); ++i) {
       const Row& row = rows.row(i);
       if (row.deduced() == 0) continue;
-      const Bits flips = exceptions(exchange, brickIndex, rows, row);
+      const Bits flips = mispredicted(exchange, brickIndex, rows, row);
       const bool any = rowFlag_[activity(coded)][lately].bit(exchange.coder(), flips != 0);
       if (any) codeVertices(exchange, rows, row, flips);
       lately = any ? 1 : std::min(2 * lately, 2);
@@ -49,28 +59,41 @@ class NewComponentCoder {
   }
 
  private:
+  /// Has a uniform brick vertices of the class whose sign is not the brick's?
+  template <SignExchange Exchange>
+  static bool differs(Exchange& exchange, const Signs<D>& signs, NewVertexRows<D>& rows,
+                      std::size_t brickIndex, int dimension) {
+    if (!exchange.varies(brickIndex, signs.slot(brickIndex))) return false;
+    rows.find(signs.lattice(), signs.table().brick(brickIndex), dimension);
+    const uint32_t uniform = signs.slot(brickIndex) == Signs<D>::kPositive ? 0xFF : 0;
+    uint32_t difference = 0;
+    for (int i = 0; i < rows.count(); ++i)
+      difference |= (exchange.row(brickIndex, rows.row(i).brick) ^ uniform) & rows.row(i).members;
+    return difference != 0;
+  }
+
   /// How busy a brick is.
   static int activity(int coded) {
     return coded == 0 ? 0 : coded < 6 ? 1 : coded < 16 ? 2 : coded < 48 ? 3 : 4;
   }
 
-  template <class Exchange>
-  static Bits exceptions(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows,
-                         const Row& row) {
+  template <SignExchange Exchange>
+  static Bits mispredicted(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows,
+                           const Row& row) {
     return (exchange.row(brickIndex, row.brick) ^ *rows.signs(row) >> Window<D>::kHalo) &
            row.deduced();
   }
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   static bool any(Exchange& exchange, std::size_t brickIndex, const NewVertexRows<D>& rows) {
     Bits any = 0;
     for (int i = 0; i < rows.count(); ++i)
-      any |= exceptions(exchange, brickIndex, rows, rows.row(i));
+      any |= mispredicted(exchange, brickIndex, rows, rows.row(i));
     return any != 0;
   }
 
   /// Those of a row that has some: if all but the last one are none, it is one.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void codeVertices(Exchange& exchange, NewVertexRows<D>& rows, const Row& row, Bits flips) {
     bool any = false;
     for (Bits deduced = row.deduced(); deduced != 0; deduced &= deduced - 1) {

@@ -22,7 +22,7 @@ class RefinementCoder {
   /// before a few places is known. Of an adaptive octave `absent` are the vertices that are not in
   /// the mesh: the first bisection tells of each crossing cell whether it stays whole, and a vertex
   /// whose diamond has an absent one is absent too, so that the mesh conforms.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void code(Exchange& exchange, Signs<D>& signs, Signs<D>* absent = nullptr) {
     absent_ = absent;
     active_ = activeBricks(signs);
@@ -39,7 +39,7 @@ class RefinementCoder {
             step + static_cast<std::size_t>(dimension) - D;  // wraps around before the first
         if (slab >= slabs) continue;
         bisect(exchange, signs, dimension, slab);
-        if (exchange.exhausted(signs.memory() + memory())) return;
+        if (!exchange.charge(signs.memory() + memory())) return;
       }
     }
   }
@@ -71,20 +71,17 @@ class RefinementCoder {
   static constexpr std::size_t kGroup = 64;  // quiet bricks in a row that share a flag
 
   /// One bisection of a slab: tells the vertices fresh on `dimension` axes.
-  template <class Exchange>
+  template <SignExchange Exchange>
   void bisect(Exchange& exchange, Signs<D>& signs, int dimension, std::size_t slab) {
     const std::size_t size = signs.table().stride(D - 1), begin = slab * size, end = begin + size;
-    for (std::size_t first = begin; first < end && !exchange.exhausted(signs.memory() + memory());
-         first += kGroup) {
-      quietGroup(exchange, signs, dimension, first, std::min(first + kGroup, end));
-    }
+    quietBricks(exchange, signs, dimension, begin, end);
     std::size_t& coded = coded_[static_cast<std::size_t>(dimension)];
     for (std::size_t brickIndex = begin;
-         brickIndex < end && !exchange.exhausted(signs.memory() + memory()); ++brickIndex) {
+         brickIndex < end && exchange.charge(signs.memory() + memory()); ++brickIndex) {
       coded = brickIndex;
       if (active_[brickIndex] != 0) brick(exchange, signs, brickIndex, dimension);
     }
-    if (!exchange.exhausted(signs.memory() + memory()))
+    if (exchange.charge(signs.memory() + memory()))
       coded = end;  // else what was read of the last brick may be noise
     for (const std::size_t brickIndex : changedBricks_) activateAround(signs, brickIndex, active_);
     changedBricks_.clear();
@@ -93,46 +90,32 @@ class RefinementCoder {
     bricksWithAbsent_.clear();
   }
 
-  /// Components that first appear far from the surface.
-  template <class Exchange>
-  void quietGroup(Exchange& exchange, Signs<D>& signs, int dimension, std::size_t first,
-                  std::size_t end) {
-    bool any = false, quiet = false;
-    for (std::size_t brickIndex = first; brickIndex < end; ++brickIndex) {
-      if (active_[brickIndex] != 0) continue;
-      quiet = true;
-      any = any || differs(exchange, signs, brickIndex, dimension);
-    }
-    if (!quiet || !newComponents_.inGroup(exchange.coder(), dimension, any)) return;
-    for (std::size_t brickIndex = first;
-         brickIndex < end && !exchange.exhausted(signs.memory() + memory()); ++brickIndex) {
-      if (active_[brickIndex] != 0 ||
-          !newComponents_.inQuietBrick(exchange.coder(), dimension,
-                                       differs(exchange, signs, brickIndex, dimension)))
+  /// New components in a slab's bricks that the coarser surface does not touch.
+  template <SignExchange Exchange>
+  void quietBricks(Exchange& exchange, Signs<D>& signs, int dimension, std::size_t begin,
+                   std::size_t end) {
+    for (std::size_t first = begin; first < end && exchange.charge(signs.memory() + memory());
+         first += kGroup) {
+      const std::size_t last = std::min(first + kGroup, end);
+      if (!newComponents_.codeGroup(exchange, signs, active_, rows_, first, last, dimension))
         continue;
-      rows_.enter(signs, absent_, brickIndex, dimension);
-      newComponents_.codeRows(exchange, brickIndex, rows_, 0);
-      store(signs, brickIndex);
+      for (std::size_t brickIndex = first;
+           brickIndex < last && exchange.charge(signs.memory() + memory()); ++brickIndex) {
+        if (active_[brickIndex] != 0 ||
+            !newComponents_.codeQuietBrick(exchange, signs, rows_, brickIndex, dimension))
+          continue;
+        rows_.enter(signs, absent_, brickIndex, dimension);
+        newComponents_.codeRows(exchange, brickIndex, rows_, 0);
+        store(signs, brickIndex);
+      }
     }
   }
 
-  /// Has a uniform brick vertices of the class that are not of its sign?
-  template <class Exchange>
-  bool differs(Exchange& exchange, const Signs<D>& signs, std::size_t brickIndex, int dimension) {
-    if (!exchange.varies(brickIndex, signs.index(brickIndex))) return false;
-    rows_.find(signs.lattice(), signs.table().brick(brickIndex), dimension);
-    const uint32_t uniform = signs.index(brickIndex) == Signs<D>::kPositive ? 0xFF : 0;
-    uint32_t difference = 0;
-    for (int i = 0; i < rows_.count(); ++i)
-      difference |= (exchange.row(brickIndex, rows_.row(i).brick) ^ uniform) & rows_.row(i).members;
-    return difference != 0;
-  }
-
-  template <class Exchange>
+  template <SignExchange Exchange>
   void brick(Exchange& exchange, Signs<D>& signs, std::size_t brickIndex, int dimension) {
     rows_.enter(signs, absent_, brickIndex, dimension);
     if (absent_ != nullptr) {
-      if (dimension == D) wholeCells_.code(exchange, brickIndex, rows_);
+      if (dimension == D) keeps_.code(exchange, brickIndex, rows_);
       storeAbsent(brickIndex);
     }
     const int coded = signs_.code(exchange, brickIndex, rows_);
@@ -177,7 +160,7 @@ class RefinementCoder {
   std::array<std::size_t, D + 1> coded_{};  // by bisection: the bricks before this place
   NewVertexRows<D> rows_;
   SignCoder<D> signs_;
-  WholeCellCoder<D> wholeCells_;
+  KeepCoder<D> keeps_;
   NewComponentCoder<D> newComponents_;
 };
 

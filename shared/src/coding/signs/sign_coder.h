@@ -34,7 +34,7 @@ class SignCoder {
   }
 
   /// The open vertices of the brick that has been entered. How many were there?
-  template <class Exchange>
+  template <SignExchange Exchange>
   int code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
     int coded = 0;
     for (int i = 0; i < rows.openCount(); ++i)
@@ -48,7 +48,7 @@ class SignCoder {
   static constexpr unsigned kSets = 1u << D;
   using Nearby = Neighbourhood<D>;
 
-  template <class Exchange>
+  template <SignExchange Exchange>
   int codeRow(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows, const Row& row) {
     int coded = 0;
     const Bits actual = exchange.row(brickIndex, row.brick);
@@ -69,10 +69,10 @@ class SignCoder {
   }
 
   /// Of bit `at` of a row in a Window; packs_ are the rows around it.
-  template <class Exchange>
+  template <SignExchange Exchange>
   bool codeSign(Exchange& exchange, const uint16_t* here, unsigned newAxes, int at, bool actual) {
     const auto& n = neighbourhoods_[newAxes];
-    auto gather = [&](const Step* steps, int count) {
+    auto gather = [&](const NeighbourOffset* steps, int count) {
       unsigned bits = 0;
       for (int i = 0; i < count; ++i)
         bits = bits << 1 | (static_cast<unsigned>(here[steps[i].rows]) >> (at + steps[i].bits) & 1);

@@ -29,41 +29,24 @@ class AdaptiveWriter {
     for (int level = 0; level <= plan_.finestLevel(); ++level) {
       const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
       const Signs<D> centres = level == 0 ? Signs<D>() : plan_.centres(level);
-      code({level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0}, actual,
-           [&](auto& exchange) {
-             exchange.keep(centres);
-             if (level == 0)
-               decoded_.mesh.base(exchange);
-             else
-               decoded_.mesh.refine(exchange);
-           });
+      code({.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement}, level, actual,
+           [&](auto& exchange) { exchange.keep(centres); });
     }
   }
 
   /// Scalars of all octaves, such that quantization moves the surface by no more than a distance.
   void geometry(double distance) {
     for (int level = 0; level <= plan_.finestLevel(); ++level) {
-      GeometryPass<D> pass{LayerKind::Exponents, Members::AxisEnds, 3, {}, 0, false};
       const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
       planned_.enter(level, actual);
-      code(
-          {LayerKind::Exponents, level, 0, 0, 0}, actual,
-          [&](auto& exchange) {
-            decoded_.codeExponents(exchange, pass.depth, header_.polygonizer);
-          },
-          &pass);
-      pass = {LayerKind::Magnitudes, Members::AxisEnds, 0, {}, 30, false};
+      code({.kind = LayerKind::Exponents}, level, actual);
+      GeometryPass<D> pass{.kind = LayerKind::Magnitudes, .most = 30};
       for (unsigned axes = 1; axes < pass.allowed.size(); ++axes) {
         const double part = distance / (edgeLength(header_.placement, axes) *
                                         decoded_.at(level).signs.lattice().step);
         pass.allowed[axes] = static_cast<uint32_t>(std::clamp(65536 * part, 1.0, 65536.0));
       }
-      code(
-          {LayerKind::Magnitudes, level, 0, 0, 0}, actual,
-          [&](auto& exchange) {
-            decoded_.codeMagnitudes(exchange, pass.magnitudePass(header_.fitted));
-          },
-          &pass);
+      code(pass, level, actual);
     }
   }
 
@@ -71,10 +54,19 @@ class AdaptiveWriter {
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
-  template <class Code>
-  void code(LayerHead head, const Signs<D>& actual, Code what,
-            const GeometryPass<D>* pass = nullptr) {
-    layers_.add(head, pass, actual, planned_, what, [&] { return states_ ? error() : 0; });
+  /// prepare(exchange): what a layer needs beside signs and scalars.
+  template <class Prepare>
+  void code(const GeometryPass<D>& pass, int level, const Signs<D>& actual, Prepare prepare) {
+    layers_.add(
+        {.kind = pass.kind, .level = level}, pass, actual, planned_,
+        [&](auto& exchange) {
+          prepare(exchange);
+          decoded_.code(exchange, pass, header_);
+        },
+        [&] { return states_ ? error() : 0; });
+  }
+  void code(const GeometryPass<D>& pass, int level, const Signs<D>& actual) {
+    code(pass, level, actual, [](auto&) {});
   }
 
   /// RMS distance of what a decoder shows now.

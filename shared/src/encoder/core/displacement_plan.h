@@ -19,7 +19,7 @@ class DisplacementPlan {
   struct Next {
     Displacements<D> steps;  // of the pass: for each cube the mean over the edges with their
                              // positive end in it, at the block at its lower corner
-    double error;  // before it
+    double error;            // before it
   };
   /// RMS distance across the surface on crossed axis edges, grid steps.
   [[nodiscard]] double error(const Displacements<D>& coded) const;

@@ -7,11 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "coding/exchange/crossing_distortion.h"
 #include "container/header.h"
 #include "grid/signs.h"
 #include "isostar/isostar.h"
-#include "scalars/displacements.h"
 #include "scalars/scalars.h"
 
 namespace isostar {
@@ -158,103 +156,6 @@ class GridField {
   // other.
   mutable std::size_t lastBrick_ = SIZE_MAX, lastStart_ = 0;
   mutable Coordinates<D> lastFirst_{};
-};
-
-/// A sample's distance to the domain's boundary in quanta of a stream, rounded down, as far as it
-/// matters.
-template <int D>
-[[nodiscard]] int32_t domainSteps(const GridField<D>& domain, const Header& header,
-                                  std::size_t brickIndex, std::size_t r, int x) {
-  const int32_t reach = header.domainReach();
-  return static_cast<int32_t>(
-      std::clamp(std::floor(domain.scalar(brickIndex, r, x) * header.domainFineness()),
-                 double(-reach), double(reach - 1)));
-}
-
-/// A field's scalars as the quanta of one stream, and the bricks selected for a pass, by place.
-template <int D>
-class QuantizedField {
- public:
-  /// `domain`: of a trimmed stream.
-  QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs,
-                 const GridField<D>* domain = nullptr)
-      : field_(field), header_(header), signs_(signs), domain_(domain) {}
-  void select(std::vector<uint8_t> brickIndices) { selected_ = std::move(brickIndices); }
-  /// From now on, does errors() tell of crossings? What is told then need not be true.
-  void target(bool does) { rdoq_ = does; }
-  /// What a pass of displacements is to tell, in its steps.
-  void displace(Displacements<D> steps) { displacements_ = std::move(steps); }
-  [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
-    return field_.magnitude(header_, brickIndex, r, x);
-  }
-  /// As TruthExchange asks for them: by what has been told of the far ends before, and what is
-  /// likely to be told of the others.
-  template <class CodedAt, class Allowed>
-  [[nodiscard]] CrossingDistortion<D> errors(std::size_t brickIndex, std::size_t r, int x,
-                                             CodedAt codedAt, const Allowed& allowed) const {
-    if (!rdoq_) return {};
-    const double toHalfSteps = 2 / header_.quantizationStep,
-                 own = field_.scalar(brickIndex, r, x) * toHalfSteps, size = std::abs(own);
-    const double positive = 2 * header_.positiveOffset - 1,
-                 negative = 2 * header_.negativeOffset - 1, offset = own > 0 ? negative : positive;
-    const auto around = field_.around(brickIndex, r, x);
-    std::array<double, D> slopes;  // of the normal, squared; steps as long as they are
-    double all = std::numeric_limits<double>::min();
-    for (std::size_t a = 0; a < D; ++a) {
-      const double slope = (around[2 * a + 1] - around[2 * a]) * allowed[std::size_t{1} << a];
-      all += slopes[a] = slope * slope;
-    }
-    CrossingDistortion<D> errors(own > 0 ? positive : negative);
-    for (std::size_t i = 0; i < 2 * D; ++i) {
-      const double actual = std::abs(around[i]) * toHalfSteps,
-                   part = allowed[std::size_t{1} << i / 2] / 65536.0;
-      const int32_t coded = codedAt(static_cast<int>(i / 2), i % 2 != 0);
-      if (coded == Scalars<D>::kUnknown || (around[i] > 0) == (own > 0) || !(size + actual > 0))
-        continue;
-      const FarEnd far = i % 2 == 0 ? FarEnd{std::abs(coded) + offset, 1}
-                                    : surmised(std::abs(coded), actual, offset, size, part);
-      errors.add(
-          {size / (size + actual), actual, far.size, 1 / part, slopes[i / 2] / all, far.leaves});
-    }
-    return errors;
-  }
-  [[nodiscard]] int gradient(std::size_t brickIndex) const {
-    return field_.gradient(header_, signs_, brickIndex);
-  }
-  [[nodiscard]] int32_t domain(std::size_t brickIndex, std::size_t r, int x) const {
-    return domainSteps(*domain_, header_, brickIndex, r, x);
-  }
-  [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const {
-    return displacements_.at(brickIndex)[block];
-  }
-  [[nodiscard]] bool selected(std::size_t brickIndex) const { return selected_[brickIndex] != 0; }
-
- private:
-  struct FarEnd {
-    double size;    // half quanta
-    double leaves;  // of what the pass allows
-  };
-  /// What will be told of a far end that comes later, if halving goes by this edge alone; it will
-  /// have an aim of its own.
-  [[nodiscard]] static FarEnd surmised(int32_t middle, double actual, double offset, double size,
-                                       double part) {
-    constexpr double kRoom = 0.8, kTrust = 0.7;  // measured to be best
-    double at = middle, width = 2.0 * (middle & -middle);
-    const auto moves = [&] {
-      return width > 2 && size * width > part * (size + at + offset) * (size + at + offset);
-    };
-    if (!moves()) return {at + offset, kRoom};
-    for (; moves(); width /= 2) at += actual - offset >= at ? width / 4 : -width / 4;
-    return {actual + kTrust * (at + offset - actual), kRoom};
-  }
-
-  const GridField<D>& field_;
-  const Header& header_;
-  const Signs<D>& signs_;
-  const GridField<D>* domain_;
-  std::vector<uint8_t> selected_;
-  Displacements<D> displacements_;
-  bool rdoq_ = false;
 };
 
 }  // namespace isostar

@@ -10,16 +10,16 @@ namespace isostar {
 /// Both writers, of uniform and of adaptive streams, make them so.
 class LayerBytes {
  public:
-  /// Appends what tell(exchange) tells of the truth, behind the fields of the pass if there is one;
-  /// error() is asked afterwards: the RMS distance of what a decoder shows then.
+  /// Appends what code(exchange) codes of the source, behind the fields of the pass where the kind
+  /// has one. error(), called afterwards, is the RMS distance of what a decoder shows then.
   template <int D, class Field, class Code, class Error>
-  void add(LayerHead head, const GeometryPass<D>* pass, const Signs<D>& actual, const Field& field,
+  void add(LayerHead head, const GeometryPass<D>& pass, const Signs<D>& actual, const Field& field,
            Code code, Error error) {
     std::vector<std::byte> layer;
-    if (pass != nullptr) {
+    if (traitsOf(head.kind).hasPass) {
       ByteWriter fields(layer);
-      if (head.kind == LayerKind::FurtherGeometry) fields.u8(static_cast<uint64_t>(pass->kind));
-      pass->write(fields);
+      if (head.kind == LayerKind::FurtherGeometry) fields.u8(static_cast<uint64_t>(pass.kind));
+      pass.write(fields);
     }
     RangeEncoder coder(layer);
     EncoderExchange<D, RangeEncoder, Field> exchange(coder, actual, field);

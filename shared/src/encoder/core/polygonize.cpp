@@ -1,4 +1,4 @@
-#include "encoder/core/field.h"
+#include "encoder/core/quantized_field.h"
 #include "grid/refined_signs.h"
 #include "grid/tube.h"
 #include "isostar/isostar.h"

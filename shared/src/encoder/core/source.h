@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "encoder/core/field.h"
+#include "encoder/core/quantized_field.h"
 #include "encoder/core/source_distance.h"
 
 namespace isostar {

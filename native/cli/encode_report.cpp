@@ -1,0 +1,104 @@
+#include "cli/encode_report.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/messages.h"
+#include "cli/stopwatch.h"
+#include "files/failure.h"
+#include "files/text.h"
+#include "volume/placement.h"
+#include "volume/precision.h"
+
+namespace isostar::native {
+namespace {
+
+/// The size of the file or folder in bytes; 0 for a header whose samples are in another file.
+uint64_t sourceBytes(const std::string& path) {
+  const std::string extension = extensionOf(path);
+  if (extension == ".nhdr" || extension == ".mhd" || extension == ".hdr") return 0;
+  if (!std::filesystem::is_directory(path)) return std::filesystem::file_size(path);
+  uint64_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path)) {
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  }
+  return bytes;
+}
+
+/// The bound in the unit of --units.
+double boundInUnits(const EncodeArguments& arguments, const Placement& placement) {
+  const double bound = arguments.options.maxError;
+  return arguments.units == Units::World ? bound * smallestSpacing(placement) : bound;
+}
+
+void warnOfEmptySurface(const std::vector<float>& samples, double isovalue) {
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  warn(text("the surface is empty: samples range from %g to %g, the isovalue is %g", *low, *high,
+            isovalue));
+}
+
+void warnOfFineBound(const LoadedVolume& volume, const EncodeOptions& options) {
+  if (options.lossless) return;
+  const double precision = precisionOf(volume.samples, volume.size[0], options.isovalue);
+  if (options.maxError >= precision) return;
+  warn(
+      text("the bound of %.2g grid steps is finer than the data: the rounding of samples moves the "
+           "surface by %.2g; --lossless keeps the samples' full precision",
+           options.maxError, precision));
+}
+
+/// Counts the surface of the source; of a sequence, that of the first frame.
+Error countOnSource(const LoadedVolume& volume, double isovalue, const MeshOptions& options,
+                    WorkReport& report) {
+  Mesh mesh;
+  Contours contours;
+  const Error error =
+      volume.dimension == 2   ? polygonize(volume.image(), isovalue, options, contours)
+      : volume.dimension == 3 ? polygonize(volume.view(), isovalue, options, mesh)
+                              : polygonize(volume.sequence(), isovalue, options, mesh);
+  report.vertices = mesh.positions.size() / 3 + contours.points.size() / 2;
+  report.triangles = mesh.indices.size() / 3;
+  return error;
+}
+
+}  // namespace
+
+std::string encodedLine(const EncodeArguments& arguments, const StreamInfo& info) {
+  const uint64_t before = sourceBytes(arguments.source.volume.path);
+  const std::string source =
+      arguments.source.volume.path + (before ? " " + readableBytes(before) : "");
+  const std::string error =
+      info.lossless ? "lossless"
+                    : text("error at most %g %s", boundInUnits(arguments, info.placement),
+                           arguments.units == Units::World ? "world units" : "grid steps");
+  return text("%s -> %s %s, %llu vertices, %s", source.c_str(), arguments.output.c_str(),
+              readableBytes(info.bytes).c_str(), static_cast<unsigned long long>(info.vertices),
+              error.c_str());
+}
+
+void warnOfResult(const EncodeArguments& arguments, const LoadedVolume& volume,
+                  const StreamInfo& info) {
+  const EncodeOptions& options = arguments.options;
+  if (info.vertices == 0)
+    warnOfEmptySurface(volume.samples, options.isovalue);
+  else
+    warnOfFineBound(volume, options);
+  if (options.adaptive && options.preserveTopology)
+    warn("--adaptive has no effect: streams with --preserve-topology have no coarse simplices");
+}
+
+void printReport(const EncodeArguments& arguments, const LoadedVolume& volume,
+                 const StreamInfo& info, WorkReport report) {
+  report.peakMemory = peakMemory();
+  const Stopwatch polygonizing;
+  const MeshOptions options{
+      .polygonizer = arguments.options.polygonizer, .frame = Frame::Grid, .normals = false};
+  if (const Error error = countOnSource(volume, arguments.options.isovalue, options, report);
+      error != Error::None)
+    throw Failure(arguments.source.volume.path, describe(error));
+  report.polygonize = polygonizing.milliseconds();
+  report.bytes = info.bytes;
+  print(report);
+}
+
+}  // namespace isostar::native

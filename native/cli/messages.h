@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace isostar::native {
+
+/// Messages go to standard error, results to standard output.
+void printMessage(const std::string& message);
+void warn(const std::string& message);
+
+}  // namespace isostar::native

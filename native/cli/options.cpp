@@ -1,0 +1,146 @@
+#include "cli/options.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "files/text.h"
+
+namespace isostar::native {
+namespace {
+
+template <class Value>
+using Names = std::map<std::string, Value>;
+
+const Names<Units> kUnits = {{"grid", Units::Grid}, {"world", Units::World}};
+
+template <class Value>
+std::string nameOf(const Names<Value>& names, Value value) {
+  for (const auto& [name, each] : names) {
+    if (each == value) return name;
+  }
+  return {};
+}
+
+/// An option whose value is one of a few names.
+template <class Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names,
+                       const std::function<void(Value)>& store, const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& each : names) words.push_back(each.first);
+  const auto take = [store, names](const std::string& name) { store(names.at(name)); };
+  return app.add_option_function<std::string>(option, take, help)
+      ->check(CLI::IsMember(words).description(""))
+      ->type_name(CLI::detail::join(words, "|"));
+}
+
+/// The same with a default, which the help shows.
+template <class Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names,
+                       Value& value, const std::string& help) {
+  const std::function<void(Value)> store = [&value](Value chosen) { value = chosen; };
+  return addChoice(app, option, names, store, help)->default_str(nameOf(names, value));
+}
+
+/// The same without a default.
+template <class Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& option, const Names<Value>& names,
+                       std::optional<Value>& value, const std::string& help) {
+  const std::function<void(Value)> store = [&value](Value chosen) { value = chosen; };
+  return addChoice(app, option, names, store, help);
+}
+
+double parse(const std::string& option, const std::string& word, double) {
+  double number;
+  if (!CLI::detail::lexical_cast(word, number) || !std::isfinite(number) || number <= 0)
+    throw CLI::ValidationError(option, text("'%s' is not a positive number", word.c_str()));
+  return number;
+}
+
+int64_t parse(const std::string& option, const std::string& word, int64_t) {
+  int64_t number;
+  if (!CLI::detail::lexical_cast(word, number) || number <= 0)
+    throw CLI::ValidationError(option, text("'%s' is not a positive whole number", word.c_str()));
+  return number;
+}
+
+/// An option like "256,256,113".
+template <class Number>
+CLI::Option* addTriple(CLI::App& app, const std::string& option,
+                       std::optional<std::array<Number, 3>>& value, const std::string& help) {
+  const auto store = [&value, option](const std::string& words) {
+    const std::vector<std::string> parts = CLI::detail::split(words, ',');
+    if (parts.size() != 3)
+      throw CLI::ValidationError(option, text("'%s' is not of the form X,Y,Z", words.c_str()));
+    value.emplace();
+    for (size_t axis = 0; axis < 3; ++axis) (*value)[axis] = parse(option, parts[axis], Number{});
+  };
+  return app.add_option_function<std::string>(option, store, help)->type_name("X,Y,Z");
+}
+
+CLI::Validator numberCheck(bool (*good)(double), const char* wanted) {
+  return CLI::Validator(
+      [good, wanted](std::string& word) {
+        double number;
+        if (CLI::detail::lexical_cast(word, number) && good(number)) return std::string();
+        return text("'%s' is not a %s number", word.c_str(), wanted);
+      },
+      "");
+}
+
+}  // namespace
+
+const CLI::Validator kFinite = numberCheck([](double x) { return std::isfinite(x); }, "finite");
+const CLI::Validator kPositive =
+    numberCheck([](double x) { return std::isfinite(x) && x > 0; }, "positive");
+
+CLI::Option* addPolygonizer(CLI::App& app, Polygonizer& value, const std::string& help) {
+  static const Names<Polygonizer> kNames = {{"cubes", Polygonizer::Cubes},
+                                            {"tetrahedra", Polygonizer::Tetrahedra}};
+  return addChoice(app, "--polygonizer", kNames, value, help);
+}
+
+CLI::Option* addFrame(CLI::App& app, Frame& value, const std::string& help) {
+  static const Names<Frame> kNames = {{"world", Frame::World}, {"grid", Frame::Grid}};
+  return addChoice(app, "--frame", kNames, value, help);
+}
+
+/// A list like "510.5,520.5".
+CLI::Option* addFurther(CLI::App& app, std::vector<double>& values, const std::string& help) {
+  constexpr std::size_t kMost = 15;
+  return app.add_option("--near", values, help)
+      ->delimiter(',')
+      ->check(kFinite)
+      ->expected(1, kMost)
+      ->allow_extra_args(false)
+      ->default_str("")
+      ->type_name("V2,V3,...");
+}
+
+CLI::Option* addUnits(CLI::App& app, Units& value, const std::string& help) {
+  return addChoice(app, "--units", kUnits, value, help);
+}
+
+CLI::Option* addUnits(CLI::App& app, std::optional<Units>& value, const std::string& help) {
+  return addChoice(app, "--units", kUnits, value, help);
+}
+
+CLI::Option* addSampleType(CLI::App& app, std::optional<SampleType>& value,
+                           const std::string& help) {
+  static const Names<SampleType> kNames = {{"u8", SampleType::U8},   {"i8", SampleType::I8},
+                                           {"u16", SampleType::U16}, {"i16", SampleType::I16},
+                                           {"f32", SampleType::F32}, {"f64", SampleType::F64}};
+  return addChoice(app, "--type", kNames, value, help);
+}
+
+CLI::Option* addSize(CLI::App& app, std::optional<ClaimedSize>& value, const std::string& help) {
+  return addTriple(app, "--size", value, help);
+}
+
+CLI::Option* addSpacing(CLI::App& app, std::optional<std::array<double, 3>>& value,
+                        const std::string& help) {
+  return addTriple(app, "--spacing", value, help);
+}
+
+}  // namespace isostar::native

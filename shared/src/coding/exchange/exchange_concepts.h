@@ -1,0 +1,68 @@
+// What a coder may require of an exchange: each asks only for the questions that it has.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "grid/lattice.h"
+
+namespace isostar {
+
+/// A coder, and an account of the bytes and memory that are left.
+template <class E>
+concept AnyExchange = requires(E& e) {
+  e.coder();
+  { e.exhausted() } -> std::convertible_to<bool>;
+  { e.charge(uint64_t{}) } -> std::convertible_to<bool>;
+};
+
+/// Signs of single vertices, and where the next component begins (§5.1).
+template <class E, int D>
+concept BaseExchange = AnyExchange<E> &&
+    requires(E& e, Coordinates<D> v, Lattice<D> lattice, std::vector<bool> seen) {
+  { e.positive(v) } -> std::convertible_to<bool>;
+  e.nextSeed(lattice, seen);
+};
+
+/// Signs by row of a brick (§5.2).
+template <class E>
+concept SignExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex) {
+  { e.row(brickIndex, brickIndex) } -> std::convertible_to<uint32_t>;
+  { e.varies(brickIndex, uint32_t{}) } -> std::convertible_to<bool>;
+};
+
+/// Which cells of an adaptive mesh are kept (§5.2).
+template <class E>
+concept KeepExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex) {
+  { e.keptRow(brickIndex, brickIndex) } -> std::convertible_to<uint32_t>;
+};
+
+/// Scalars (§5.3).
+template <class E>
+concept MagnitudeExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex) {
+  { e.magnitude(brickIndex, brickIndex, 0) } -> std::convertible_to<uint32_t>;
+  { e.gradient(brickIndex) } -> std::convertible_to<int>;
+  { e.selected(brickIndex) } -> std::convertible_to<bool>;
+};
+
+template <class E>
+concept DisplacementExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex) {
+  { e.displacement(brickIndex, brickIndex) } -> std::convertible_to<int>;
+};
+
+template <class E>
+concept DomainExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex) {
+  { e.domain(brickIndex, brickIndex, 0) } -> std::convertible_to<int32_t>;
+};
+
+/// Both sides of a whole stream.
+template <class E, int D>
+concept CodecExchange = BaseExchange<E, D> && SignExchange<E> && KeepExchange<E> &&
+    MagnitudeExchange<E> && DisplacementExchange<E> && DomainExchange<E> && requires(E& e) {
+  e.filter();
+  e.enter(0);
+};
+
+}  // namespace isostar

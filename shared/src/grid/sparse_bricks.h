@@ -1,0 +1,60 @@
+// A map from brick indices to bricks that exist only where something is known.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "util/pool.h"
+
+namespace isostar {
+
+/// Reading never allocates: an index without a brick of its own reads as nothing().
+template <class Brick>
+class SparseBricks {
+ public:
+  static constexpr uint64_t kLink =
+      4 * sizeof(void*);  // bytes of bookkeeping for a brick while the pool grows
+
+  SparseBricks() = default;
+  /// `tableSize`: the number of bricks in the lattice's BrickTable. `nothing`: a brick in which
+  /// nothing is known.
+  SparseBricks(std::size_t tableSize, const Brick& nothing) : at_(tableSize, kNone) {
+    bricks_.add(nothing);
+  }
+
+  [[nodiscard]] std::size_t tableSize() const { return at_.size(); }
+  /// Includes nothing().
+  [[nodiscard]] std::size_t brickCount() const { return bricks_.size(); }
+  [[nodiscard]] bool has(std::size_t brickIndex) const { return at_[brickIndex] != kNone; }
+  [[nodiscard]] const Brick& at(std::size_t brickIndex) const { return bricks_[at_[brickIndex]]; }
+  [[nodiscard]] const Brick& nothing() const { return bricks_[kNone]; }
+  /// The brick at an index, for writing; made if there is none. References to other bricks stay
+  /// valid.
+  Brick& writable(std::size_t brickIndex) {
+    if (at_[brickIndex] == kNone) {
+      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
+      bricks_.add(bricks_[kNone]);
+    }
+    return bricks_[at_[brickIndex]];
+  }
+  /// Calls visit(brick) for each brick, nothing() included.
+  template <class Visit>
+  void forEachBrick(Visit visit) {
+    for (std::size_t b = 0; b < bricks_.size(); ++b) visit(bricks_[b]);
+  }
+
+  /// Bytes in use while one more brick is made.
+  [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
+  [[nodiscard]] static uint64_t memoryOf(uint64_t tableSize, uint64_t bricks) {
+    return tableSize * sizeof(uint32_t) + (bricks + 2) * (sizeof(Brick) + kLink);
+  }
+
+ private:
+  static constexpr uint32_t kNone = 0;  // the slot of nothing()
+
+  std::vector<uint32_t> at_;
+  Pool<Brick> bricks_;
+};
+
+}  // namespace isostar
