@@ -11,7 +11,7 @@ packages=(
   libgtest-dev libglm-dev                                 # tests, built with everything else
   libdraco-dev draco libmeshoptimizer-dev libzstd-dev     # the codecs of the comparison
 )
-if [ "${1:-}" = test ]; then packages+=(chromium clang-format); fi
+if [ "${1:-}" = test ]; then packages+=(chromium clang-format clang-tidy); fi
 
 isInstalled() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Runs every test: format, C++, types, Node, browser. Each runner prints its own summary; the others
+# Runs every test: format, names, C++, types, Node, browser. Each runner prints its own summary; the others
 # run even if one fails.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
 failed=0
 bash scripts/check-format.sh || failed=1
+bash scripts/check-names.sh || failed=1
 ctest --preset release -j2 || failed=1
 for project in web web/viewer tests/node; do npx tsc -p "$project" --noEmit || failed=1; done
 node --test tests/node/*.test.mjs || failed=1

@@ -80,7 +80,8 @@ function offenceOutside(path, { target }) {
   const compares = path.startsWith(COMPARISON.folder);
   const part = folderOf(target);
   const isInternal = ARROWS[part] && part !== 'api';
-  if (isInternal && !(compares && COMPARISON.parts.includes(part))) return `may not include ${target}`;
+  if (isInternal && !(compares && COMPARISON.parts.includes(part)))
+    return `may not include ${target}`;
   return /shared\/|src\//.test(target) ? `may not include ${target}` : null;
 }
 
@@ -137,9 +138,7 @@ export function offences(root) {
 export function picture() {
   const reaches = (from, to) => ARROWS[from].some((next) => next === to || reaches(next, to));
   const direct = (from) =>
-    ARROWS[from].filter(
-      (to) => !ARROWS[from].some((other) => other !== to && reaches(other, to)),
-    );
+    ARROWS[from].filter((to) => !ARROWS[from].some((other) => other !== to && reaches(other, to)));
   const width = Math.max(...Object.keys(ARROWS).map((name) => name.length));
   return Object.keys(ARROWS)
     .reverse()

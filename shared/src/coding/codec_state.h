@@ -1,4 +1,4 @@
-// A stream's layers as one traversal for both directions: the encoder tells, the decoder listens.
+// The layers of a stream as one traversal for both directions.
 #pragma once
 
 #include "coding/adaptive/adaptive_field.h"
@@ -16,13 +16,13 @@
 
 namespace isostar {
 
-/// All that both sides know, and the models that carry over from layer to layer.
+/// All that encoder and decoder share, and the bit models that persist from layer to layer.
 template <int D>
 struct CodecState {
-  /// The header outlives it.
+  /// The header must outlive it.
   explicit CodecState(const Header& h) : header(h), signs(h.base<D>()), level(0) {}
 
-  /// Codes one layer; `pass` where its kind has one.
+  /// Codes one layer. `pass`: for kinds that have one.
   template <CodecExchange<D> Exchange>
   void code(Exchange& exchange, const LayerHead& head, const GeometryPass<D>& pass = {}) {
     switch (head.kind) {
@@ -41,10 +41,10 @@ struct CodecState {
     }
   }
 
-  /// Bytes that a layer takes at most to begin with, and those that stay as they are while it is
-  /// decoded.
+  /// `needed`: bytes that a layer needs at most to begin. `fixed`: bytes in use that do not change
+  /// while it is decoded.
   struct Memory {
-    uint64_t needed, settled;
+    uint64_t needed, fixed;
   };
   [[nodiscard]] Memory memoryFor(LayerKind layer, LayerKind pass) const {
     const uint64_t all = memory() + further.memory();
@@ -79,7 +79,7 @@ struct CodecState {
     if (partial) return fill(exchange, shown);
     Signs<D> finer = refined(signs);
     refinement.code(exchange, finer);
-    if (exchange.exhausted()) {  // the octave stays as it was
+    if (exchange.exhausted()) {  // the level does not change
       unfinished = std::move(finer);
       unfinishedFilter = shown;
       return;
@@ -91,7 +91,7 @@ struct CodecState {
     ++level;
   }
 
-  /// Which kernel places the octave's surface best.
+  /// Codes which smoothing filter locates the level's surface best.
   template <CodecExchange<D> Exchange>
   [[nodiscard]] ISOSTAR_COLD SmoothingFilter codeFilter(Exchange& exchange) {
     const SmoothingFilter actual = exchange.filter();
@@ -102,19 +102,20 @@ struct CodecState {
                : SmoothingFilter::Wide;
   }
 
-  /// The next octave of a mesh that has been welded as far as the topology allows.
+  /// Fills the next level of a mesh that was welded as far as the topology allows.
   template <CodecExchange<D> Exchange>
   void fill(Exchange& exchange, SmoothingFilter shown) {
     partial->mesh.fill(exchange, level + 1);
     if (exchange.exhausted()) return;
-    filter =
-        shown;  // of the finest octave; before it the mesh is shown as its topology was planned
+    // Used on the finest level only: coarser ones must be shown exactly as the topology plan has
+    // checked them.
+    filter = shown;
     if (++level < header.finestLevel()) return;
     signs = partial->mesh.takeSigns();
     partial.reset();
   }
 
-  /// Takes an octave that has been told in part, the stream being at its end, for what it is.
+  /// Turns a level of which only a part was decoded, at the end of a stream, into `partial`.
   ISOSTAR_COLD void keepUnfinished() {
     if (!refinement.began()) return;
     Signs<D> uncoded = refinement.uncoded(unfinished);
@@ -124,19 +125,20 @@ struct CodecState {
     partial->coarserDisplacements = std::move(displacements);
     displacements = {};
   }
-  /// Bytes that this takes at most.
+  /// Bytes needed at most for this.
   [[nodiscard]] uint64_t memoryToKeepUnfinished() const {
-    const std::size_t brickIndices = unfinished.table().total();
-    return memory() + unfinished.memory() + Signs<D>::memoryToFill(brickIndices, brickIndices);
+    const std::size_t tableSize = unfinished.table().total();
+    return memory() + unfinished.memory() + Signs<D>::memoryToFill(tableSize, tableSize);
   }
 
-  /// Where displacements and scalars may be told: the last refinement knows, if there was one.
+  /// Finds the bricks in which displacements and scalars are coded. The last refinement already
+  /// knows them.
   void findActive() {
     active = refinement.takeActive();
     if (active.size() != signs.table().total()) active = activeBricks(signs);
   }
 
-  /// Where the domain ends, near the finest octave's surface.
+  /// Codes where the domain ends near the finest level's surface.
   template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void codeDomain(Exchange& exchange) {
     findActive();
@@ -163,14 +165,14 @@ struct CodecState {
     }
   }
 
-  /// The signs of a further isovalue, by number from 1.
+  /// Codes the signs of a further isovalue; numbers start at 1.
   template <CodecExchange<D> Exchange>
   void furtherSigns(Exchange& exchange, int number) {
     const double isovalue = header.furtherIsovalues[static_cast<std::size_t>(number) - 1];
     further.signs(exchange, first(), isovalue, header.shift(isovalue), header.shiftError());
   }
 
-  /// Of the isovalue whose signs have been told last.
+  /// Codes geometry of the isovalue whose signs were coded last.
   template <CodecExchange<D> Exchange>
   void furtherGeometry(Exchange& exchange, const GeometryPass<D>& pass) {
     if (pass.kind == LayerKind::Exponents)
@@ -179,24 +181,24 @@ struct CodecState {
       further.magnitudes(exchange, pass.magnitudePass(false));
   }
 
-  /// Of the octave that is known, of the first isovalue.
+  /// For the first isovalue, on the last complete level.
   [[nodiscard]] Hints<D> hints() const { return {filter, &displacements}; }
   [[nodiscard]] typename FurtherIsovalues<D>::First first() const {
     return {header.isovalue, signs, scalars};
   }
 
-  /// Bytes in use beside the models, while one more brick is made.
+  /// Bytes in use beside the models while one more brick is made.
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
   [[nodiscard]] uint64_t memoryBesideScalars() const {
     return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() +
            (partial ? partial->memory() : 0) + (domain.tableSize() != 0 ? domain.memory() : 0) +
            displacements.memory();
   }
-  /// What it takes to begin the first geometry layer, or the domain's, or to go on.
+  /// Bytes needed to begin the first geometry or domain layer, or to continue.
   [[nodiscard]] uint64_t memoryForScalars() const {
-    const std::size_t brickIndices = signs.table().total();
+    const std::size_t tableSize = signs.table().total();
     return memory() + memoryToFindActive() +
-           (scalars.tableSize() == 0 ? Scalars<D>::memoryOf(brickIndices, 1) : 0);
+           (scalars.tableSize() == 0 ? Scalars<D>::memoryOf(tableSize, 1) : 0);
   }
   /// The same for displacements.
   [[nodiscard]] uint64_t memoryForDisplacements() const {
@@ -207,7 +209,8 @@ struct CodecState {
   [[nodiscard]] uint64_t memoryToFindActive() const {
     return active.empty() ? signs.table().total() : 0;
   }
-  /// What it takes at most to begin the next octave: both octaves' signs, a mark for each place.
+  /// Bytes needed at most to begin the next level: the signs of both levels, and one byte per brick
+  /// index.
   [[nodiscard]] uint64_t memoryToRefine() const {
     if (partial) return memoryBesideScalars() + partial->mesh.memoryToFill(level + 1);
     const BrickTable<D> finer(signs.lattice().finer());
@@ -217,23 +220,22 @@ struct CodecState {
 
   const Header& header;
   Signs<D> signs;
-  SmoothingFilter filter = SmoothingFilter::Narrow;  // of the octave that is known
+  SmoothingFilter filter = SmoothingFilter::Narrow;  // of the last complete level
   int level;
-  /// Instead of the signs: of a stream that keeps the topology, before its finest octave; and of
-  /// one that ends within an octave.
+  /// Replaces the signs in a stream that preserves the topology, up to its finest level, and in a
+  /// stream that ends within a level.
   std::optional<AdaptiveField<D>> partial;
-  Signs<D> unfinished;  // of an octave that has been told in part
+  Signs<D> unfinished;  // a level of which a part is coded
   SmoothingFilter unfinishedFilter = SmoothingFilter::Narrow;
   std::array<BitModel, 2> filterModel;
   RefinementCoder<D> refinement;
-  std::vector<uint8_t> active;     // bricks of the octave that is known; empty before its
-                                   // displacements, its scalars or the domain are told
-  Displacements<D> displacements;  // of the octave that is known
+  std::vector<uint8_t> active;     // marks bricks of the last complete level; empty before its
+                                   // displacements, its scalars or the domain are coded
+  Displacements<D> displacements;  // of the last complete level
   Scalars<D> scalars;
-  Scalars<D> domain;               // of a trimmed stream: see DomainCoder
-  bool magnitudesRefined = false;  // has a pass that halves intervals been told?
-  std::array<bool, 2>
-      coded{};  // by Members: have their scalars been told, if perhaps not all of them?
+  Scalars<D> domain;               // of a trimmed stream, as DomainCoder stores them
+  bool magnitudesRefined = false;  // has a magnitude refinement pass been coded?
+  std::array<bool, 2> coded{};     // by Members: have scalars been coded, at least some of them?
   DisplacementCoder<D> displacing;
   ExponentCoder<D> exponents;
   MagnitudeCoder<D> magnitudes;

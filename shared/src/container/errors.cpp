@@ -1,3 +1,4 @@
+// The names and descriptions of errors.
 #include "isostar/isostar.h"
 
 namespace isostar {

@@ -1,3 +1,4 @@
+// What follows from a header: levels, offsets, shifts and the fineness of a domain.
 #include "container/header.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ int32_t Header::domainFineness() const {
 }
 
 int32_t Header::domainReach() const {
-  constexpr double kFarthest = 32;  // grid steps; longer cells are trimmed only up to here
+  constexpr double kFarthest = 32;  // grid steps; a longer diagonal is clamped to this
   const auto& s = placement.spacing;
   const double diagonal =
       std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / std::min({s[0], s[1], s[2]});
@@ -66,10 +67,10 @@ void Header::countWhole(double step) {
 }
 
 Header Header::at(double other) const {
-  Header seen = *this;
-  seen.isovalue = other;
-  if (whole) seen.countWhole(quantizationStep);
-  return seen;
+  Header relative = *this;
+  relative.isovalue = other;
+  if (whole) relative.countWhole(quantizationStep);
+  return relative;
 }
 
 bool Header::spans(double other) const {

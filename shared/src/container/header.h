@@ -15,16 +15,17 @@ struct Header {
   int version = kFormatVersion;
   int dimension = 3;      // 2: an image; 3: a volume; 4: a sequence of volumes, time last
   Coordinates<4> size{};  // samples on the first `dimension` axes, 1 on the others
-  Placement placement;  // of the first three axes; for an image the third spacing is the smaller of the other two
+  Placement placement;  // of the first three axes; for an image the third spacing is the smaller of
+                        // the other two
   double isovalue = 0;
-  std::vector<double>
-      furtherIsovalues;  // §5.4, in coding order
+  std::vector<double> furtherIsovalues;  // §5.4, in coding order
   Polygonizer polygonizer = Polygonizer::Cubes;
   bool lossless = false;
-  bool adaptive = false;  // the layers are those of an AdaptiveMesh
-  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest level's topology; each refinement fills one level
-  bool trimmed = false;  // there is a Domain layer, which codes where the domain ends
-  bool fitted = false;  // magnitude refinement passes use FitCoder
+  bool adaptive = false;       // the layers are those of an AdaptiveMesh
+  bool keepsTopology = false;  // the first layer is an AdaptiveMesh with the finest level's
+                               // topology; each refinement fills one level
+  bool trimmed = false;        // there is a Domain layer, which codes where the domain ends
+  bool fitted = false;         // magnitude refinement passes use FitCoder
   double maxError = 0;
   uint64_t vertices = 0;  // of the complete surface with Polygonizer::Cubes
   /// |sample - isovalue| = (magnitude + offset) · quantizationStep, with one offset for each sign.

@@ -25,8 +25,9 @@ enum class TornFrom : uint8_t { Never, Quarter, FirstByte };
 
 struct LayerTraits {
   const char* name;  // reported as LayerInfo::kind
-  bool hasPass;  // begins with the fields of a GeometryPass
-  bool isFurther;  // belongs to a further isovalue; the head holds that isovalue's number instead of a level
+  bool hasPass;      // begins with the fields of a GeometryPass
+  bool isFurther;    // belongs to a further isovalue; the head holds that isovalue's number instead
+                     // of a level
   TornFrom tornFrom;  // in a uniform stream
 };
 

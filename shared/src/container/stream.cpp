@@ -1,3 +1,4 @@
+// Reads and writes headers and layer heads, with their checksums.
 #include "container/stream.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ enum Flag : uint32_t {
   kWhole = 32,
   kByteSteps = 64,
   kAdaptive = 128,
-  kNear = 256,
+  kFurther = 256,
   kKeepsTopology = 512,
   kTrimmed = 1024,
   kFitted = 2048,
@@ -57,6 +58,69 @@ bool differ(const std::array<double, N>& a, const std::array<double, N>& b, std:
   return !std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(axes), b.begin());
 }
 
+/// The first byte after the magic: format version and dimension.
+Error readVersion(uint32_t first, Header& h) {
+  const uint32_t version = first >> 2 & 31;
+  if ((first & kBinary) == 0) return Error::NotIsostar;
+  if (version > kFormatVersion) return Error::UnsupportedVersion;
+  if (version == 0) return Error::Corrupt;
+  h.version = static_cast<int>(version);
+  h.dimension = static_cast<int>(first & 3) + kLeastDimension;
+  return h.dimension > kMostDimension ? Error::UnsupportedVersion : Error::None;
+}
+
+void setFlags(Header& h, uint64_t flags) {
+  h.lossless = (flags & kLossless) != 0;
+  h.adaptive = (flags & kAdaptive) != 0;
+  h.keepsTopology = (flags & kKeepsTopology) != 0;
+  h.trimmed = (flags & kTrimmed) != 0;
+  h.fitted = (flags & kFitted) != 0;
+  h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
+}
+
+/// False if a number of samples is out of range.
+bool readSize(ByteReader& r, Header& h) {
+  bool sane = true;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {
+    const uint64_t v = r.varint();
+    sane = sane && v >= 1 && v < (uint64_t{1} << 28);
+    h.size[a] = static_cast<int32_t>(v);
+  }
+  std::fill(h.size.begin() + h.dimension, h.size.end(), 1);
+  return sane;
+}
+
+/// False if there are too many.
+bool readIsovalues(ByteReader& r, uint64_t flags, Header& h) {
+  h.isovalue = r.real();
+  const uint64_t others = (flags & kFurther) != 0 ? r.varint() : 0;
+  if (others > Header::kMostFurther) return false;
+  for (uint64_t i = 0; i < others; ++i) h.furtherIsovalues.push_back(r.real());
+  return true;
+}
+
+void readPlacement(ByteReader& r, uint64_t flags, Header& h) {
+  const std::size_t axes = placed(h);
+  auto& [origin, spacing, direction] = h.placement;
+  for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) spacing[a] = r.real();
+  for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) origin[a] = r.real();
+  if ((flags & kDirection) != 0)
+    for (double& v : direction) v = r.real();
+  if (h.dimension == 2) spacing[2] = std::min(spacing[0], spacing[1]);
+}
+
+/// Are all numbers usable, and do the header's properties go together?
+bool consistent(const Header& h, uint64_t flags) {
+  if (!std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) ||
+      !invertible(h.placement) ||
+      !std::ranges::all_of(h.furtherIsovalues, [](double v) { return std::isfinite(v); }))
+    return false;
+  if (h.dimension == 2 && (flags & kDirection) != 0) return false;
+  if (h.adaptive && (h.keepsTopology || !h.furtherIsovalues.empty())) return false;
+  return !h.trimmed ||
+         (h.dimension == 3 && !h.adaptive && !h.keepsTopology && h.furtherIsovalues.empty());
+}
+
 }  // namespace
 
 uint32_t checksum(std::span<const std::byte> header) {
@@ -79,7 +143,7 @@ void write(ByteWriter& out, const Header& h) {
       (differ(spacing, plain.spacing, axes) ? kSpacing : 0u) |
       (differ(origin, plain.origin, axes) ? kOrigin : 0u) | (turned ? kDirection : 0u) |
       (h.whole ? kWhole : 0u) | (h.whole && h.quantizationStep != 1 ? kByteSteps : 0u) |
-      (h.furtherIsovalues.empty() ? 0u : kNear) | (h.keepsTopology ? kKeepsTopology : 0u) |
+      (h.furtherIsovalues.empty() ? 0u : kFurther) | (h.keepsTopology ? kKeepsTopology : 0u) |
       (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
@@ -130,36 +194,13 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (in.size() <= kMagic.size()) return Error::Truncated;
   const auto body = in.subspan(kMagic.size());
   ByteReader r(body);
-  const uint32_t first = r.u8(), version = first >> 2 & 31;
-  if ((first & kBinary) == 0) return Error::NotIsostar;
-  if (version > kFormatVersion) return Error::UnsupportedVersion;
-  if (version == 0) return Error::Corrupt;
   Header h;
-  h.version = static_cast<int>(version);
-  h.dimension = static_cast<int>(first & 3) + kLeastDimension;
-  if (h.dimension > kMostDimension) return Error::UnsupportedVersion;
+  if (const Error error = readVersion(r.u8(), h); error != Error::None) return error;
   const uint64_t flags = r.varint();
   if ((flags & ~uint64_t{kKnownFlags}) != 0) return Error::UnsupportedVersion;
-  h.lossless = (flags & kLossless) != 0;
-  h.adaptive = (flags & kAdaptive) != 0;
-  h.keepsTopology = (flags & kKeepsTopology) != 0;
-  h.trimmed = (flags & kTrimmed) != 0;
-  h.fitted = (flags & kFitted) != 0;
-  h.polygonizer = (flags & kTetrahedra) != 0 ? Polygonizer::Tetrahedra : Polygonizer::Cubes;
-  bool sane = true;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(h.dimension); ++a) {
-    const uint64_t v = r.varint();
-    sane = sane && v >= 1 && v < (uint64_t{1} << 28);
-    h.size[a] = static_cast<int32_t>(v);
-  }
-  std::fill(h.size.begin() + h.dimension, h.size.end(), 1);
-  h.isovalue = r.real();
-  const uint64_t others = (flags & kNear) != 0 ? r.varint() : 0;
-  if (others > Header::kMostFurther) return Error::Corrupt;
-  for (uint64_t i = 0; i < others; ++i) {
-    h.furtherIsovalues.push_back(r.real());
-    sane = sane && std::isfinite(h.furtherIsovalues.back());
-  }
+  setFlags(h, flags);
+  bool sane = readSize(r, h);
+  if (!readIsovalues(r, flags, h)) return Error::Corrupt;
   int64_t exponent = 0;
   if ((flags & kWhole) != 0)
     h.countWhole((flags & kByteSteps) != 0 ? Header::kByteStep : 1);
@@ -169,27 +210,14 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (!h.whole && sane) h.quantizationStep = std::ldexp(1.0, static_cast<int>(exponent));
   if (!h.lossless) h.maxError = r.real();
   h.vertices = r.varint();
-  const std::size_t axes = placed(h);
-  auto& [origin, spacing, direction] = h.placement;
-  for (std::size_t a = 0; (flags & kSpacing) != 0 && a < axes; ++a) spacing[a] = r.real();
-  for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) origin[a] = r.real();
-  if ((flags & kDirection) != 0)
-    for (double& v : direction) v = r.real();
-  if (h.dimension == 2) spacing[2] = std::min(spacing[0], spacing[1]);
+  readPlacement(r, flags, h);
   h.bytes = r.varint();
   const std::size_t length = r.position();
   const uint32_t expected = r.u16();
   if (r.malformed()) return Error::Corrupt;
   if (r.overrun()) return Error::Truncated;
   if (expected != checksum(body.first(length))) return Error::Corrupt;
-  if (!sane || !std::isfinite(h.isovalue) || !(h.maxError >= 0) || !std::isfinite(h.maxError) ||
-      !invertible(h.placement))
-    return Error::Corrupt;
-  if (h.dimension == 2 && (flags & kDirection) != 0) return Error::Corrupt;
-  if (h.adaptive && (h.keepsTopology || !h.furtherIsovalues.empty())) return Error::Corrupt;
-  if (h.trimmed &&
-      (h.dimension != 3 || h.adaptive || h.keepsTopology || !h.furtherIsovalues.empty()))
-    return Error::Corrupt;
+  if (!sane || !consistent(h, flags)) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
   return Error::None;
@@ -207,7 +235,11 @@ Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, 
   const bool numbered = level >= 1 && level <= header.furtherIsovalues.size();
   if (traitsOf(kind).isFurther ? !numbered : level > static_cast<uint32_t>(header.finestLevel()))
     return Error::Corrupt;
-  out = {kind, static_cast<int>(level), unpack(error), bytes, sum};
+  out = {.kind = kind,
+         .level = static_cast<int>(level),
+         .error = unpack(error),
+         .bytes = bytes,
+         .checksum = sum};
   used = r.position();
   return Error::None;
 }

@@ -12,7 +12,7 @@ namespace isostar {
 
 struct LayerHead {
   LayerKind kind = LayerKind::Base;
-  int level = 0;  // or the number of a further isovalue
+  int level = 0;     // or the number of a further isovalue
   double error = 0;  // RMS distance to the source's surface, in grid steps, to within 5 %
   uint64_t bytes = 0;
   uint32_t checksum = 0;

@@ -65,8 +65,8 @@ class AdaptiveReconstruction : public Reconstruction {
     if (field_.mesh.level() < header_.finestLevel())
       return kind == LayerKind::Refinement && level == field_.mesh.level() + 1;
     if (kind == LayerKind::Exponents)
-      return level == field_.coded() && level <= header_.finestLevel();
-    return kind == LayerKind::Magnitudes && level == field_.coded() - 1;
+      return level == field_.codedLevels() && level <= header_.finestLevel();
+    return kind == LayerKind::Magnitudes && level == field_.codedLevels() - 1;
   }
 
   template <class Out>

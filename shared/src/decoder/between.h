@@ -16,7 +16,7 @@ class Between {
   /// positive scalars (Header::positiveOffset).
   Between(const FurtherIsovalues<D>& further, const typename FurtherIsovalues<D>::First& first,
           double isovalue, double steps, double offset)
-      : scalars_(further.seenFrom(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
+      : scalars_(further.relativeTo(first, 0)), finer_(scalars_.magnify()), known_(scalars_) {
     const auto neighbours = further.neighbours(first, isovalue);
     const auto& nearest = neighbours.nearest(isovalue);
     signs_ = *nearest.signs;
@@ -42,15 +42,15 @@ class Between {
                                              const typename FurtherIsovalues<D>::First& first,
                                              double isovalue) {
     const auto neighbours = further.neighbours(first, isovalue);
-    const uint64_t brickIndices = first.signs.table().total(), seen = further.bricksSeen(first);
-    uint64_t bricks = seen;
-    for (std::size_t brickIndex = 0;
-         neighbours.below && neighbours.above && brickIndex < brickIndices; ++brickIndex) {
+    const uint64_t tableSize = first.signs.table().total(), known = further.bricksKnown(first);
+    uint64_t bricks = known;
+    for (std::size_t brickIndex = 0; neighbours.below && neighbours.above && brickIndex < tableSize;
+         ++brickIndex) {
       bricks += splits(*neighbours.below->signs, *neighbours.above->signs, brickIndex) ? 1 : 0;
     }
-    return Scalars<D>::memoryOf(brickIndices, bricks) + Scalars<D>::memoryOf(brickIndices, seen) +
-           brickIndices +
-           Signs<D>::memoryToFill(brickIndices,
+    return Scalars<D>::memoryOf(tableSize, bricks) + Scalars<D>::memoryOf(tableSize, known) +
+           tableSize +
+           Signs<D>::memoryToFill(tableSize,
                                   neighbours.nearest(isovalue).signs->brickCount() + bricks);
   }
   /// Bytes in use while one more brick is made.

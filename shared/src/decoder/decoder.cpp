@@ -1,3 +1,4 @@
+// The public decoder: collects bytes, splits them into layers and passes these to a Reconstruction.
 #include <algorithm>
 #include <optional>
 
@@ -33,10 +34,10 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
 /// Adds a layer whose own bytes begin at `start`.
 void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes,
               std::size_t start) {
-  const bool near = traitsOf(head.kind).isFurther;
+  const bool further = traitsOf(head.kind).isFurther;
   info.headerBytes += headBytes;
-  info.layers.push_back({traitsOf(head.kind).name, near ? header.finestLevel() : head.level,
-                         start + head.bytes, head.bytes, head.error, near ? head.level : 0});
+  info.layers.push_back({traitsOf(head.kind).name, further ? header.finestLevel() : head.level,
+                         start + head.bytes, head.bytes, head.error, further ? head.level : 0});
 }
 
 /// Reads the next layer's head. `arrived`: what has come of the rest of the stream; `left`: the
@@ -86,7 +87,7 @@ struct Decoder::State {
   }
   /// Can a surface be made with these options?
   [[nodiscard]] Error shows(const MeshOptions& options) const {
-    if (!known) return Error::Truncated;
+    if (!reconstruction) return Error::Truncated;
     return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None
                                                                       : Error::BadArgument;
   }
@@ -100,7 +101,7 @@ struct Decoder::State {
   std::optional<Header> header;
   StreamInfo info;
   bool tornShown = false;
-  std::unique_ptr<Reconstruction> known;
+  std::unique_ptr<Reconstruction> reconstruction;
   uint64_t shown = 0;
   double rms = 0;
 };
@@ -133,14 +134,14 @@ ISOSTAR_COLD bool Decoder::State::readHeader() {
   in.resize(std::min<uint64_t>(in.size(), info.bytes));
   at = used;
   shown = used;
-  known = reconstructionOf(*header, limits);
-  return known != nullptr || fail(Error::UnsupportedVersion);
+  reconstruction = reconstructionOf(*header, limits);
+  return reconstruction != nullptr || fail(Error::UnsupportedVersion);
 }
 
 /// Decodes a layer whose last bytes are missing: the surface may be better for what is left.
 bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte> bytes) {
   tornShown = true;
-  const auto [e, better] = known->decode(head, bytes, true);
+  const auto [e, better] = reconstruction->decode(head, bytes, true);
   if (better) shown = in.size();
   fail(e == Error::None ? Error::Truncated : e);
   return better;
@@ -160,7 +161,7 @@ ISOSTAR_COLD bool Decoder::State::advance() {
   if (bytes.size() < head.bytes) return finished && decodeTorn(head, bytes);
   const auto layer = bytes.first(static_cast<std::size_t>(head.bytes));
   if (checksum(head, layer) != head.checksum) return fail(Error::Corrupt);
-  if (const auto outcome = known->decode(head, layer, false); outcome.error != Error::None)
+  if (const auto outcome = reconstruction->decode(head, layer, false); outcome.error != Error::None)
     return fail(outcome.error);
   at += used;
   addLayer(info, *header, head, used, at);
@@ -188,13 +189,13 @@ Error Decoder::error() const {
   return state_->error;
 }
 bool Decoder::ready() const {
-  return state_->known != nullptr;
+  return state_->reconstruction != nullptr;
 }
 const StreamInfo& Decoder::info() const {
   return state_->info;
 }
 int Decoder::level() const {
-  return state_->known ? state_->known->level() : -1;
+  return state_->reconstruction ? state_->reconstruction->level() : -1;
 }
 int Decoder::levels() const {
   return state_->header ? state_->header->finestLevel() + 1 : 0;
@@ -212,12 +213,12 @@ bool Decoder::isFinal() const {
 Error Decoder::mesh(const MeshOptions& options, Mesh& out) const {
   out = {};
   const Error error = state_->shows(options);
-  return error == Error::None ? state_->known->show(options, out) : error;
+  return error == Error::None ? state_->reconstruction->show(options, out) : error;
 }
 Error Decoder::contours(const MeshOptions& options, Contours& out) const {
   out = {};
   const Error error = state_->shows(options);
-  return error == Error::None ? state_->known->show(options, out) : error;
+  return error == Error::None ? state_->reconstruction->show(options, out) : error;
 }
 
 }  // namespace isostar

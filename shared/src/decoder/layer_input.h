@@ -11,7 +11,7 @@ namespace isostar {
 
 template <int D>
 struct LayerInput {
-  /// A range decoder may read so many bytes beyond the end of a complete layer: four that the
+  /// How many bytes a range decoder may read beyond the end of a complete layer: four that the
   /// encoder may omit, and four that the decoder reads ahead.
   static constexpr std::size_t kSlack = 8;
 

@@ -1,3 +1,4 @@
+// Selects the reconstruction for a header: uniform or adaptive, by dimension.
 #include "decoder/reconstruction.h"
 
 #include "decoder/adaptive_reconstruction.h"

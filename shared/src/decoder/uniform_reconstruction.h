@@ -19,7 +19,7 @@ template <int D>
 class UniformReconstruction : public Reconstruction {
  public:
   UniformReconstruction(const Header& header, const Limits& limits)
-      : header_(header), limits_(limits), known_(header) {}
+      : header_(header), limits_(limits), state_(header) {}
 
   ISOSTAR_COLD Outcome decode(const LayerHead& head, std::span<const std::byte> bytes,
                               bool torn) override {
@@ -27,11 +27,11 @@ class UniformReconstruction : public Reconstruction {
     if (torn && !showsTorn(head, bytes.size())) return {};
     LayerInput<D> input;
     if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;
-    const auto memory = known_.memoryFor(head.kind, input.pass.kind);
+    const auto memory = state_.memoryFor(head.kind, input.pass.kind);
     if (memory.needed > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(input.coded);
-    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.settled).memory);
-    known_.code(exchange, head, input.pass);
+    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.fixed).memory);
+    state_.code(exchange, head, input.pass);
     const Error error = exchange.overBudget()           ? Error::OverLimit
                         : !torn && exchange.exhausted() ? Error::Corrupt
                                                         : Error::None;
@@ -43,7 +43,7 @@ class UniformReconstruction : public Reconstruction {
     return {error, error == Error::None};
   }
 
-  [[nodiscard]] int level() const override { return based_ ? known_.level : -1; }
+  [[nodiscard]] int level() const override { return based_ ? state_.level : -1; }
 
   Error show(const MeshOptions& options, Mesh& out) const override {
     out = {};
@@ -86,17 +86,17 @@ class UniformReconstruction : public Reconstruction {
   /// then geometry on the finest level; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
     const int finestLevel = header_.finestLevel(),
-              furtherCoded = static_cast<int>(known_.further.surfaces().size());
+              furtherCoded = static_cast<int>(state_.further.surfaces().size());
     if (traitsOf(kind).isFurther) {
-      return based_ && known_.level == finestLevel && level >= 1 &&
+      return based_ && state_.level == finestLevel && level >= 1 &&
              level == furtherCoded + (kind == LayerKind::FurtherSigns ? 1 : 0);
     }
     if (furtherCoded != 0) return false;
     if (!based_) return kind == LayerKind::Base && level == 0;
-    if (known_.level < finestLevel && kind == LayerKind::Displacement)
-      return !known_.partial && level == known_.level;
-    if (known_.level < finestLevel)
-      return kind == LayerKind::Refinement && level == known_.level + 1;
+    if (state_.level < finestLevel && kind == LayerKind::Displacement)
+      return !state_.partial && level == state_.level;
+    if (state_.level < finestLevel)
+      return kind == LayerKind::Refinement && level == state_.level + 1;
     if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == finestLevel;
     return (kind == LayerKind::Exponents || kind == LayerKind::Magnitudes ||
             kind == LayerKind::Displacement) &&
@@ -104,7 +104,7 @@ class UniformReconstruction : public Reconstruction {
   }
 
   [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
-    if (head.kind == LayerKind::Refinement && known_.partial) return false;
+    if (head.kind == LayerKind::Refinement && state_.partial) return false;
     switch (traitsOf(head.kind).tornFrom) {
       case TornFrom::Never:
         return false;
@@ -116,10 +116,10 @@ class UniformReconstruction : public Reconstruction {
   }
   /// Keeps an incomplete level, if the limits allow it. False if nothing new is shown.
   bool showsUnfinished() {
-    if (known_.unfinished.table().total() == 0) return true;  // no part that matters was missing
-    if (known_.memoryToKeepUnfinished() > limits_.memory) return false;
-    known_.keepUnfinished();
-    return known_.partial.has_value();
+    if (state_.unfinished.table().total() == 0) return true;  // no part that matters was missing
+    if (state_.memoryToKeepUnfinished() > limits_.memory) return false;
+    state_.keepUnfinished();
+    return state_.partial.has_value();
   }
 
   /// What is left of the limits while `held` bytes are in use.
@@ -142,16 +142,17 @@ class UniformReconstruction : public Reconstruction {
   template <class Make>
   Error withSurface(const MeshOptions& options, Make make) const {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
-    const uint64_t held = known_.memory() + known_.further.memory();
-    if (const FurtherSurface<D>* near = known_.further.find(isovalue)) {
-      return withCompleted({near->signs, near->active, near->scalars, near->coded, {known_.filter}},
-                           header_.at(isovalue), options, held, make);
+    const uint64_t held = state_.memory() + state_.further.memory();
+    if (const FurtherSurface<D>* further = state_.further.find(isovalue)) {
+      return withCompleted(
+          {further->signs, further->active, further->scalars, further->coded, {state_.filter}},
+          header_.at(isovalue), options, held, make);
     }
-    if (known_.partial) return withPartial(held, make);
-    if (known_.scalars.tableSize() == 0) return withEstimated(options, held, make);
+    if (state_.partial) return withPartial(held, make);
+    if (state_.scalars.tableSize() == 0) return withEstimated(options, held, make);
     if (isovalue == header_.isovalue)
-      return withCompleted({known_.signs, known_.active, known_.scalars, known_.coded,
-                            known_.hints(), !known_.magnitudesRefined},
+      return withCompleted({state_.signs, state_.active, state_.scalars, state_.coded,
+                            state_.hints(), !state_.magnitudesRefined},
                            header_, options, held, make);
     return withBetween(isovalue, options, held, make);
   }
@@ -159,7 +160,7 @@ class UniformReconstruction : public Reconstruction {
   /// For a mesh that has absent vertices.
   template <class Make>
   Error withPartial(uint64_t held, Make make) const {
-    const auto adaptive = known_.partial->shown(known_.partial->mesh.level(), left(held).memory);
+    const auto adaptive = state_.partial->shown(state_.partial->mesh.level(), left(held).memory);
     if (!adaptive) return Error::OverLimit;
     const double offset = 2 * header_.positiveOffset - 1;
     return make(Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement},
@@ -169,31 +170,31 @@ class UniformReconstruction : public Reconstruction {
   /// Before any scalars are coded.
   template <class Make>
   Error withEstimated(const MeshOptions& options, uint64_t held, Make make) const {
-    const std::size_t brickIndices = known_.signs.table().total();
-    held += brickIndices + Scalars<D>::memoryOf(brickIndices, 0);
+    const std::size_t tableSize = state_.signs.table().total();
+    held += tableSize + Scalars<D>::memoryOf(tableSize, 0);
     if (held > limits_.memory) return Error::OverLimit;
-    const auto active = activeBricks(known_.signs);
+    const auto active = activeBricks(state_.signs);
     return withCompleted(
-        {known_.signs, active, Scalars<D>(brickIndices), known_.coded, known_.hints()}, header_,
+        {state_.signs, active, Scalars<D>(tableSize), state_.coded, state_.hints()}, header_,
         options, held, make);
   }
 
   template <class Make>
   Error withBetween(double isovalue, const MeshOptions& options, uint64_t held, Make make) const {
-    if (held + Between<D>::memoryToMake(known_.further, known_.first(), isovalue) > limits_.memory)
+    if (held + Between<D>::memoryToMake(state_.further, state_.first(), isovalue) > limits_.memory)
       return Error::OverLimit;
     const double steps = (isovalue - header_.isovalue) / header_.quantizationStep;
-    Between<D> between(known_.further, known_.first(), isovalue, steps, header_.positiveOffset);
+    Between<D> between(state_.further, state_.first(), isovalue, steps, header_.positiveOffset);
     held += between.memory();
     const uint64_t completed = memoryCompleted(between.scalars(), between.active());
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
     estimateMissing(between.signs(), between.active(), options.polygonizer, between.finer(),
-                    between.scalars(), {known_.filter});
+                    between.scalars(), {state_.filter});
     return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement},
                 held + completed);
   }
 
-  [[nodiscard]] const Scalars<D>* domain() const { return trims_ ? &known_.domain : nullptr; }
+  [[nodiscard]] const Scalars<D>* domain() const { return trims_ ? &state_.domain : nullptr; }
 
   /// With scalars, coded or estimated, for all vertices that the polygonizer needs.
   template <class Make>
@@ -228,7 +229,7 @@ class UniformReconstruction : public Reconstruction {
 
   const Header& header_;
   const Limits limits_;
-  CodecState<D> known_;
+  CodecState<D> state_;
   bool based_ = false, trims_ = false, torn_ = false;
 };
 

@@ -1,5 +1,5 @@
-// Replaces reconstruction.cpp where the decoder must be small. Each dimension is a set of template
-// instances of its own, so that this build supports 3D streams only.
+// Replaces reconstruction.cpp where the decoder must be small: it supports 3D streams only, since
+// each dimension adds as much code again.
 #include "decoder/adaptive_reconstruction.h"
 #include "decoder/reconstruction.h"
 #include "decoder/uniform_reconstruction.h"

@@ -1,4 +1,4 @@
-// Tells layers: the encoder's half of the traversal.
+// The encoder's side of the traversal of a uniform stream: writes its layers.
 #pragma once
 
 #include <limits>
@@ -12,15 +12,15 @@
 
 namespace isostar {
 
-/// Tells layers one after the other.
+/// Writes layers one after the other.
 template <int D>
 class UniformWriter {
  public:
   UniformWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
-      : options_(options), finestLevel_(header.finestLevel()), source_(&first), known_(header) {}
+      : options_(options), finestLevel_(header.finestLevel()), source_(&first), state_(header) {}
 
-  /// The signs of all octaves; after(level) may tell more of each but those of streams of one
-  /// topology.
+  /// Codes the signs of all levels. after(level) may code more layers on each level, except in
+  /// streams that preserve the topology.
   template <class After>
   void signs(After after) {
     const Signs<D>& finest = source_->signs();
@@ -29,9 +29,9 @@ class UniformWriter {
       coarse[level] = coarsened(level + 1 < coarse.size() ? coarse[level + 1] : finest);
     std::vector<Signs<D>> whole;
     if constexpr (D == 3) {
-      if (known_.header.keepsTopology) {
+      if (state_.header.keepsTopology) {
         coarse.push_back(finest);
-        whole = wholeCells(known_.header, coarse);
+        whole = wholeCells(state_.header, coarse);
       }
     }
     const SmoothingFilter filter = finestFilter();
@@ -41,17 +41,17 @@ class UniformWriter {
       const LayerHead head{.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement,
                            .level = level};
       code(head, actual, {}, [&](auto& exchange) {
-        exchange.follow(coarse, whole);
-        exchange.see(filterOf(level, filter));
+        exchange.setLevels(coarse, whole);
+        exchange.setFilter(filterOf(level, filter));
       });
-      if (!known_.partial) after(level);
+      if (!state_.partial) after(level);
       if (options_.progress) options_.progress(0.5 * (level + 1) / (finestLevel_ + 1));
     }
   }
 
   void domain() { code({.kind = LayerKind::Domain, .level = finestLevel_}, source_->signs()); }
 
-  /// The signs of a further isovalue; passes are its from now on.
+  /// Codes the signs of a further isovalue. Later passes refer to it.
   void furtherSigns(int number, Source<D>& source) {
     number_ = number;
     source_ = &source;
@@ -59,25 +59,23 @@ class UniformWriter {
   }
 
   void geometry(const GeometryPass<D>& pass) {
-    source_->quantized().setRdoq(number_ == 0 && settles(pass));
+    source_->quantized().setRdoq(number_ == 0 && usesRdoq(pass));
     code({.kind = number_ == 0 ? pass.kind : LayerKind::FurtherGeometry,
-          .level = number_ == 0 ? known_.level : number_},
+          .level = number_ == 0 ? state_.level : number_},
          source_->signs(), pass);
   }
 
-  /// The bricks where a vertex of the surface is off by more than the bound, by place; none if
-  /// there are none.
+  /// Marks, by brick index, the bricks where a vertex of the surface is off by more than the bound.
+  /// Empty if there are none.
   [[nodiscard]] std::vector<uint8_t> beyond(double bound) const {
     if (number_ == 0)
-      return source_->distance().beyond(bound, known_.signs, known_.scalars, known_.active);
-    const FurtherSurface<D>& last = known_.further.surfaces().back();
+      return source_->distance().beyond(bound, state_.signs, state_.scalars, state_.active);
+    const FurtherSurface<D>& last = state_.further.surfaces().back();
     return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
   }
-  void select(std::vector<uint8_t> brickIndices) {
-    source_->quantized().select(std::move(brickIndices));
-  }
+  void select(std::vector<uint8_t> marked) { source_->quantized().select(std::move(marked)); }
 
-  /// Displacements as planned; `steps`: of a pass.
+  /// Codes planned displacements; `steps`: in those of the pass.
   void displace(const DisplacementPass& pass, Displacements<D> steps) {
     GeometryPass<D> geometryPass;
     geometryPass.kind = LayerKind::Displacement;
@@ -85,17 +83,17 @@ class UniformWriter {
     source_->quantized().displace(std::move(steps));
     geometry(geometryPass);
   }
-  /// Of the octave told last.
+  /// On the level coded last.
   [[nodiscard]] DisplacementPlan<D> displacementPlan() {
-    if (known_.active.empty()) known_.findActive();
-    return DisplacementPlan<D>(source_->field(), known_.signs, known_.active, known_.filter);
+    if (state_.active.empty()) state_.findActive();
+    return DisplacementPlan<D>(source_->field(), state_.signs, state_.active, state_.filter);
   }
-  [[nodiscard]] const Displacements<D>& displacements() const { return known_.displacements; }
+  [[nodiscard]] const Displacements<D>& displacements() const { return state_.displacements; }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
-  /// prepare(exchange): what a layer needs beside signs and scalars.
+  /// prepare(exchange) gives the exchange what a layer needs beside signs and scalars.
   template <class Prepare>
   void code(const LayerHead& head, const Signs<D>& actual, const GeometryPass<D>& pass,
             Prepare prepare) {
@@ -103,7 +101,7 @@ class UniformWriter {
         head, pass, actual, source_->quantized(),
         [&](auto& exchange) {
           prepare(exchange);
-          known_.code(exchange, head, pass);
+          state_.code(exchange, head, pass);
         },
         [&] { return rms(); });
   }
@@ -111,12 +109,12 @@ class UniformWriter {
     code(head, actual, pass, [](auto&) {});
   }
 
-  /// May a pass tell what is nearly true? Not where it repairs or a later one narrows all its
-  /// intervals or a further isovalue's signs are known by them, nor where diagonals have crossings,
-  /// too, or bounds are so loose that most vertices keep what octaves say.
-  [[nodiscard]] bool settles(const GeometryPass<D>& pass) const {
+  /// May a pass code values other than the actual ones? Not if it repairs, if a later pass refines
+  /// all its intervals, if signs of further isovalues depend on them, if diagonals have crossings
+  /// too, or if the bound is so loose that most vertices keep the intervals of exponents.
+  [[nodiscard]] bool usesRdoq(const GeometryPass<D>& pass) const {
     constexpr double kLoosest = 0.15;
-    const Header& header = known_.header;
+    const Header& header = state_.header;
     if (pass.kind != LayerKind::Magnitudes || pass.selective || header.lossless ||
         header.polygonizer != Polygonizer::Cubes || !header.furtherIsovalues.empty())
       return false;
@@ -130,7 +128,7 @@ class UniformWriter {
     return true;
   }
 
-  /// The kernel that places the finest octave's surface best.
+  /// The smoothing filter that locates the finest level's surface best.
   [[nodiscard]] SmoothingFilter finestFilter() const {
     SmoothingFilter best = SmoothingFilter::Narrow;
     double least = std::numeric_limits<double>::infinity();
@@ -141,7 +139,7 @@ class UniformWriter {
     }
     return best;
   }
-  /// That of another octave: coarser ones are less smooth.
+  /// That of another level: coarser levels are less smooth.
   [[nodiscard]] SmoothingFilter filterOf(int level, SmoothingFilter finest) const {
     if (level == finestLevel_) return finest;
     return level == finestLevel_ - 1 && finest == SmoothingFilter::Wide ? SmoothingFilter::Middle
@@ -150,29 +148,29 @@ class UniformWriter {
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (known_.partial)
-      return distance.rms(known_.partial->shown(finestLevel_)->signs, {known_.partial->filter});
-    if (known_.level < finestLevel_) return distance.rms(known_.signs, known_.hints());
-    if (number_ == 0 && !known_.magnitudesRefined && known_.scalars.tableSize() != 0) {
-      Scalars<D> shown = known_.scalars;
+    if (state_.partial)
+      return distance.rms(state_.partial->shown(finestLevel_)->signs, {state_.partial->filter});
+    if (state_.level < finestLevel_) return distance.rms(state_.signs, state_.hints());
+    if (number_ == 0 && !state_.magnitudesRefined && state_.scalars.tableSize() != 0) {
+      Scalars<D> shown = state_.scalars;
       const int finer = shown.magnify();
-      Dequantization<D>::apply(known_.signs.table(), known_.scalars, finer, shown,
-                               distance.tableSize());
-      return distance.rms(known_.signs, shown, known_.hints(), finer);
+      Dequantization<D>::apply(state_.signs.table(), state_.scalars, finer, shown,
+                               distance.bricks());
+      return distance.rms(state_.signs, shown, state_.hints(), finer);
     }
-    if (number_ == 0) return distance.rms(known_.signs, known_.scalars, known_.hints());
-    const FurtherSurface<D>& last = known_.further.surfaces().back();
+    if (number_ == 0) return distance.rms(state_.signs, state_.scalars, state_.hints());
+    const FurtherSurface<D>& last = state_.further.surfaces().back();
     if (last.coded[0]) return distance.rms(last.signs, last.scalars);
     Scalars<D> estimated = last.scalars;
-    estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated, {known_.filter});
+    estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated, {state_.filter});
     return distance.rms(last.signs, estimated);
   }
 
   const EncodeOptions& options_;
   const int finestLevel_;
-  int number_ = 0;  // of the isovalue in work
+  int number_ = 0;  // of the current isovalue
   Source<D>* source_;
-  CodecState<D> known_;
+  CodecState<D> state_;
   LayerBytes layers_;
 };
 

@@ -81,8 +81,8 @@ class BitModel {
   }
 
   template <int Limit>
-  void learn(bool actual) {
-    state_ = static_cast<uint32_t>(learned<Limit>(static_cast<int32_t>(state_), actual));
+  void learn(bool decision) {
+    state_ = static_cast<uint32_t>(learned<Limit>(static_cast<int32_t>(state_), decision));
   }
 
  private:
@@ -95,11 +95,11 @@ class BitModel {
 
   /// The state after a decision. State is an integer, or a vector of integers.
   template <int Limit, class State>
-  static State learned(State state, bool actual) {
+  static State learned(State state, bool decision) {
     constexpr int32_t kLeastRate = (1 << (kRateBits + 1)) / (2 * Limit + 3);
     const State rate = state & ((1 << kRateBits) - 1);
     const State p = (state >> kRateBits) & ((1 << 18) - 1);
-    const State gap = (actual ? (1 << 18) - 1 : 0) - p;
+    const State gap = (decision ? (1 << 18) - 1 : 0) - p;
     const State moved = p + (((gap >> 1) * rate + (1 << (kRateBits - 2))) >> (kRateBits - 1));
     // 1/(n + 1) is nearly 1/n - 3/4 · (1/n)².
     const State slower = rate - ((rate * rate * 3 + (1 << (kRateBits + 1))) >> (kRateBits + 2));

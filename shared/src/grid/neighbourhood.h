@@ -84,17 +84,17 @@ struct Neighbourhood {
   }
 
  private:
-  int farCount = 0, outerCount = 0;
-  std::array<std::array<int, D>, kMost> offsets{};  // of the diamond's vertices
+  int farCount_ = 0, outerCount_ = 0;
+  std::array<std::array<int, D>, kMost> offsets_{};  // of the diamond's vertices
 
   constexpr void slice() {
     for (int i = 0; i < diamondCount(); ++i) {
       int axes = 0;
-      for (const int d : offsets[i]) axes += d != 0 ? 1 : 0;
+      for (const int d : offsets_[i]) axes += d != 0 ? 1 : 0;
       const bool corner = i < cornerCount;
       const uint32_t sign = i < kDiamondBits ? 1u << i : 0u,
                      count = 1u << (corner ? kDiamondBits : kDiamondBits + kCountBits);
-      addToSlices(offsets[i], sign | count, corner ? kCorner : axes == 1 ? kBeside : kAcross);
+      addToSlices(offsets_[i], sign | count, corner ? kCorner : axes == 1 ? kBeside : kAcross);
     }
   }
 
@@ -138,7 +138,7 @@ struct Neighbourhood {
     const int mine = __builtin_popcount(newAxes), other = __builtin_popcount(theirs);
     if (near && (corner || beside)) {
       if (corner != corners) return;
-      offsets[cornerCount + acrossCount] = d;
+      offsets_[cornerCount + acrossCount] = d;
       diamond[cornerCount + acrossCount] = step;
       ++(corner ? cornerCount : acrossCount);
       return;
@@ -149,15 +149,15 @@ struct Neighbourhood {
     if (listed) siblings[siblingCount++] = step;
     if (listed && near) addToSlices(d, 0, kSibling);
     if (outer) {
-      if (outerCount++ >= kOuter) return;
+      if (outerCount_++ >= kOuter) return;
       outerMask.add(d);
       weight += kOuterOne;
     } else if (listed) {
       siblingMask.add(d);
-    } else if (!sibling && farCount < kFar) {
+    } else if (!sibling && farCount_ < kFar) {
       farMask.add(d);
       weight += kFarOne;
-      ++farCount;
+      ++farCount_;
     }
   }
 };

@@ -27,13 +27,14 @@ class NewVertexRows {
     [[nodiscard]] Bits deduced() const { return members & ~Bits{open} & ~Bits{absent}; }
   };
 
-  /// Finds the rows of a class in a brick. `dimension`: how many new axes the class has, 1 … D.
+  /// Finds the rows of a class in a brick. `newAxisCount`: how many new axes the class has, 1 … D.
   /// `absent`: the absent vertices; null where the mesh has all.
-  void enter(const Signs<D>& signs, const Signs<D>* absent, std::size_t brickIndex, int dimension) {
+  void enter(const Signs<D>& signs, const Signs<D>* absent, std::size_t brickIndex,
+             int newAxisCount) {
     const auto at = signs.table().brick(brickIndex);
     changed_ = false;
     signs_.load(signs, at);
-    find(signs.lattice(), at, dimension);
+    find(signs.lattice(), at, newAxisCount);
     if (absent != nullptr) absent_.load(*absent, at);
     openCount_ = 0;
     // Of eight rows along axis 1, all on new planes of that axis have the same new axes, and so
@@ -56,10 +57,10 @@ class NewVertexRows {
 
   /// Finds the rows alone, without signs and with no open vertices. They are the same in all bricks
   /// that the lattice's end does not cut. `at`: the brick's coordinates.
-  void find(const Lattice<D>& lattice, const Coordinates<D>& at, int dimension) {
+  void find(const Lattice<D>& lattice, const Coordinates<D>& at, int newAxisCount) {
     bool last = false;
     for (int a = 0; a < D; ++a) last = last || (at[a] + 1) * kBrickSide > lattice.last[a];
-    const int kind = last ? -1 : dimension;
+    const int kind = last ? -1 : newAxisCount;
     if (!last && kind_ == kind) return;
     kind_ = kind;
     Bits newOnAxis0 = 0, inside = 0;
@@ -77,7 +78,7 @@ class NewVertexRows {
         in = in && plane <= lattice.last[a];
         if (lattice.isNew(a, plane)) o |= 1u << a;
       }
-      const int left = dimension - std::popcount(o);
+      const int left = newAxisCount - std::popcount(o);
       const Bits members = left == 1 ? newOnAxis0 : left == 0 ? inside & ~newOnAxis0 : 0;
       if (in && members != 0) {
         rows_[count_++] = {Window<D>::kOwnRows[r],

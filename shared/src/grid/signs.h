@@ -47,9 +47,8 @@ class Signs {
     return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_);
   }
   /// Bytes needed at most to put that many bricks one after the other.
-  [[nodiscard]] static uint64_t memoryToFill(uint64_t brickIndices, uint64_t bricks) {
-    return brickIndices * sizeof(uint32_t) +
-           3 * (std::min(bricks, brickIndices) + 2) * sizeof(Brick<D>);
+  [[nodiscard]] static uint64_t memoryToFill(uint64_t tableSize, uint64_t bricks) {
+    return tableSize * sizeof(uint32_t) + 3 * (std::min(bricks, tableSize) + 2) * sizeof(Brick<D>);
   }
 
   void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }

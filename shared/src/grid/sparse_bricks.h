@@ -13,8 +13,8 @@ namespace isostar {
 template <class Brick>
 class SparseBricks {
  public:
-  static constexpr uint64_t kLink =
-      4 * sizeof(void*);  // bytes of bookkeeping for a brick while the pool grows
+  /// Bytes of bookkeeping for a brick while the pool grows.
+  static constexpr uint64_t kLink = 4 * sizeof(void*);
 
   SparseBricks() = default;
   /// `tableSize`: the number of bricks in the lattice's BrickTable. `nothing`: a brick in which

@@ -96,9 +96,9 @@ struct EdgeEnds {
     for (int a = 0; a < D; ++a) {
       even[a] = odd[a] = brick[a] * kBrickSide + static_cast<int32_t>(local);
       if ((axes >> a & 1) != 0) {
-        const bool flipped = (local & 1) != 0;
-        (flipped ? even : odd)[a] += 1;
-        (flipped ? evenAt : oddAt) += ScalarWindow<D>::stride(a);
+        const bool isOdd = (local & 1) != 0;
+        (isOdd ? even : odd)[a] += 1;
+        (isOdd ? evenAt : oddAt) += ScalarWindow<D>::stride(a);
       }
       local = r % kBrickSide;
       r /= kBrickSide;

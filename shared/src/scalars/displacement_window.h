@@ -27,8 +27,8 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
 
   /// Interpolates the displacements to all vertices of the brick. Required before at().
   [[gnu::noinline]] void spread() {
-    std::array<int8_t, power(kSide, D) + kBrickSide - kSide>
-        padded{};  // rows of kSide are read as eight
+    // Rows of kSide are read as eight.
+    std::array<int8_t, power(kSide, D) + kBrickSide - kSide> padded{};
     std::copy(value.begin(), value.end(), padded.begin());
     std::array<Row, power(kSide, D - 1)> sums, weights;
     for (std::size_t r = 0; r < sums.size(); ++r) {
@@ -83,8 +83,8 @@ class DisplacementWindow : public HaloWindow<D, int8_t, Displacements<D>::kSide>
     return index;
   }();
 
-  static constexpr std::size_t kWeights =
-      power(4, D);  // the sum of the weights of the blocks around a vertex
+  /// The sum of the weights of the blocks around a vertex.
+  static constexpr std::size_t kWeights = power(4, D);
   /// 2^8 · kPlaneSlope / kPerStep, divided by a weight.
   static constexpr std::array<int32_t, kWeights + 1> kScale = [] {
     std::array<int32_t, kWeights + 1> scale{};

@@ -25,9 +25,10 @@ class Displacements : public SparseBricks<DisplacementBrick<D>> {
   using Brick = DisplacementBrick<D>;
   static constexpr int kSide = kBrickSide / 2;  // blocks of a brick along an axis
   static constexpr std::size_t kBlocks = power(kSide, D);
-  static constexpr int kPerStep = 64;  // units per grid step; positive displacements point towards positive vertices
+  /// Units per grid step; positive displacements point towards positive vertices.
+  static constexpr int kPerStep = 64;
   static constexpr int kPlaneSlope = 5793;  // units of a ShapeEstimate per grid step near a plane
-  static constexpr int8_t kNone = -128;  // a block without a coded displacement
+  static constexpr int8_t kNone = -128;     // a block without a coded displacement
 
   Displacements() = default;
   explicit Displacements(std::size_t tableSize) : SparseBricks<Brick>(tableSize, none()) {}

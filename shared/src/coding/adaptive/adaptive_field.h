@@ -1,5 +1,5 @@
-// The field on an adaptive mesh (§5.3): the scalars of its leaves, octave by octave, for both
-// directions, and what is shown of it.
+// The field on an adaptive mesh (§5.3): codes the scalars of its leaves level by level, and
+// completes them for display.
 #pragma once
 
 #include "coding/adaptive/adaptive_level.h"
@@ -11,26 +11,26 @@
 
 namespace isostar {
 
-/// An absent vertex lies on the refinement edge that it would split, halfway, and so does its
-/// scalar: the field is the piecewise linear one of the leaves, whatever octave it is looked at,
-/// and no polygonizer can find a crack.
+/// An absent vertex lies halfway along the refinement edge that it would split, and its scalar is
+/// the mean of the edge's ends. So the field is the piecewise linear one of the leaves, on
+/// whichever level it is polygonized, and the surface has no cracks.
 template <int D>
 class AdaptiveField {
  public:
   explicit AdaptiveField(const Lattice<D>& base) : mesh(base) {}
-  /// Of an octave that has been told in part, as AdaptiveMesh.
+  /// A level that is only partly coded; parameters as of AdaptiveMesh.
   AdaptiveField(Signs<D> coarse, Signs<D> fine, Signs<D> absent)
       : mesh(std::move(coarse), std::move(fine), std::move(absent)) {}
 
   AdaptiveMesh<D> mesh;
-  Displacements<D>
-      coarserDisplacements;  // of the octave before the last one, where no scalars are known
-  SmoothingFilter filter = SmoothingFilter::Middle,
-                  coarserFilter = SmoothingFilter::Middle;  // place the last octave's surface where
-                                                            // no scalars are known, and others'
+  /// Of the level before the last one, used where no scalars are known.
+  Displacements<D> coarserDisplacements;
+  /// `filter` locates the last level's surface where no scalars are known, `coarserFilter` that of
+  /// the others.
+  SmoothingFilter filter = SmoothingFilter::Middle, coarserFilter = SmoothingFilter::Middle;
 
-  /// Octaves whose scalars have been told.
-  [[nodiscard]] int coded() const { return static_cast<int>(levels_.size()); }
+  /// The number of levels whose scalars are coded.
+  [[nodiscard]] int codedLevels() const { return static_cast<int>(levels_.size()); }
   [[nodiscard]] const AdaptiveLevel<D>& at(int level) const {
     return levels_[static_cast<std::size_t>(level)];
   }
@@ -50,22 +50,23 @@ class AdaptiveField {
     }
   }
 
-  /// Bytes in use beside the models, while one more brick is made.
+  /// Bytes in use beside the models while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     uint64_t sum = mesh.memory() + coarserDisplacements.memory();
     for (const auto& o : levels_) sum += o.memory();
     return sum;
   }
-  /// What it takes at most, on top of that, to begin the next octave's scalars.
+  /// Bytes needed at most, in addition, to begin the next level's scalars.
   [[nodiscard]] uint64_t memoryToCode() const {
-    return coded() > mesh.level() ? 0 : memoryForNext(last(), coded());
+    return codedLevels() > mesh.level() ? 0 : memoryForNext(last(), codedLevels());
   }
 
-  /// Scalars of an octave: of the vertices of its leaves that coarser ones have not told. On the
-  /// finest, `cubes` needs no ends of diagonals.
+  /// Codes the exponents of the next level: of those vertices of its leaves whose scalars no
+  /// coarser level has coded. On the finest level, Polygonizer::Cubes does not need the ends of
+  /// diagonals.
   template <CodecExchange<D> Exchange>
   void codeExponents(Exchange& exchange, int exponentRange, Polygonizer polygonizer) {
-    const int level = coded();
+    const int level = codedLevels();
     levels_.push_back(next(last(), level));
     if (!coders_) coders_.emplace();
     auto& adaptive = levels_.back();
@@ -87,26 +88,26 @@ class AdaptiveField {
     coders_->magnitudes.code(exchange, adaptive.signs, adaptive.scalars, pass, adaptive.active);
   }
 
-  /// The octave as it is known, with estimates where nothing has been told yet; nothing if that
-  /// takes more bytes than given.
+  /// A level as far as it is known, completed with estimates. Nothing if that takes more than
+  /// `memory` bytes.
   [[nodiscard]] ISOSTAR_COLD std::optional<AdaptiveLevel<D>> shown(
       int level, uint64_t memory = UINT64_MAX) const {
     AdaptiveLevel<D> adaptive;
-    for (int o = std::max(coded() - 1, 0); o <= level; ++o) {
+    for (int o = std::max(codedLevels() - 1, 0); o <= level; ++o) {
       const auto* coarser = o == 0 ? nullptr : &adaptive;
-      const uint64_t made = o < coded() ? at(o).memory() : memoryForNext(coarser, o);
+      const uint64_t made = o < codedLevels() ? at(o).memory() : memoryForNext(coarser, o);
       if (adaptive.memory() + made > memory) return std::nullopt;
-      if (o < coded())
+      if (o < codedLevels())
         adaptive = at(o);
       else
         adaptive = next(coarser, o);
-      // Those known are copied while the others are estimated.
+      // The known bricks are copied while the missing scalars are estimated.
       const auto bricks =
           adaptive.scalars.brickCount() +
           static_cast<std::size_t>(std::count(adaptive.active.begin(), adaptive.active.end(), 1));
       if (adaptive.memory() + 2 * Scalars<D>::memoryOf(adaptive.active.size(), bricks) > memory)
         return std::nullopt;
-      estimate(o, coded() == 0 ? level - o : 0, adaptive);
+      estimate(o, codedLevels() == 0 ? level - o : 0, adaptive);
     }
     return adaptive;
   }
@@ -122,8 +123,9 @@ class AdaptiveField {
     return AdaptiveLevel<D>::memoryToMake(mesh.signs(level), mesh.absent(level), coarser);
   }
 
-  /// Gives the vertices of an octave's leaves values, as many times larger as its steps are longer:
-  /// those of other vertices are better estimated on finer octaves.
+  /// Estimates the missing scalars of a level's leaves. Values are 2^finer times as large: a coarse
+  /// level's are multiplied by the ratio of its grid step to that of the last level. Vertices of
+  /// other leaves are estimated better on finer levels.
   ISOSTAR_COLD void estimate(int level, int finer, AdaptiveLevel<D>& adaptive) const {
     const Scalars<D> before = adaptive.scalars;
     const Hints<D> hints =
@@ -151,7 +153,7 @@ class AdaptiveField {
     ExponentCoder<D> exponents;
     MagnitudeCoder<D> magnitudes;
   };
-  std::optional<Coders> coders_;  // once scalars are told
+  std::optional<Coders> coders_;  // set when the first scalars are coded
 };
 
 }  // namespace isostar

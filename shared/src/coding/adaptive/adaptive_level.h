@@ -1,4 +1,4 @@
-// What is known of an octave of an adaptive mesh, absent vertices included.
+// What is known of one level of an adaptive mesh, with its absent vertices.
 #pragma once
 
 #include "grid/refined_signs.h"
@@ -7,17 +7,16 @@
 
 namespace isostar {
 
-/// Of an octave's vertices, where those that are not in the mesh have the values of the simplices
-/// they lie in.
+/// The vertices of a level. Absent ones have the values of the simplices that they lie in.
 template <int D>
 struct AdaptiveLevel {
   Signs<D> signs;
-  Scalars<D> scalars;           // told, taken over from the coarser octave, or interpolated
+  Scalars<D> scalars;           // coded, taken from the coarser level, or interpolated
   std::vector<uint8_t> active;  // as of activeBricks(signs)
 
   AdaptiveLevel() = default;
-  /// Before its own scalars are told: from its signs and absent vertices and, null for the base,
-  /// the coarser octave.
+  /// The state before the level's own scalars are coded. `coded`: the level's signs; `coarser`: the
+  /// coarser level, null for the base.
   ISOSTAR_COLD AdaptiveLevel(const Signs<D>& coded, const Signs<D>& absent,
                              const AdaptiveLevel* coarser)
       : signs(coded), scalars(coded.table().total()) {
@@ -27,17 +26,17 @@ struct AdaptiveLevel {
     }
     active = activeBricks(signs);
   }
-  /// Bytes that this takes at most.
+  /// Bytes needed at most for this.
   [[nodiscard]] static uint64_t memoryToMake(const Signs<D>& coded, const Signs<D>& absent,
                                              const AdaptiveLevel* coarser) {
-    const uint64_t brickIndices = coded.table().total(), absentBricks = absent.brickCount();
+    const uint64_t tableSize = coded.table().total(), absentBricks = absent.brickCount();
     const uint64_t taken =
         coarser == nullptr ? 0 : (uint64_t{coarser->scalars.brickCount()} << D) + absentBricks;
-    return brickIndices + Signs<D>::memoryToFill(brickIndices, coded.brickCount() + absentBricks) +
-           Scalars<D>::memoryOf(brickIndices, std::min(brickIndices, taken));
+    return tableSize + Signs<D>::memoryToFill(tableSize, coded.brickCount() + absentBricks) +
+           Scalars<D>::memoryOf(tableSize, std::min(tableSize, taken));
   }
 
-  /// Bytes in use, while one more brick is made.
+  /// Bytes in use while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     return signs.memory() + scalars.memory() + active.size();
   }
@@ -63,8 +62,8 @@ struct AdaptiveLevel {
     }
   }
 
-  /// Absent vertices: those of the coarser octave as they are there, the others halfway between the
-  /// ends of their refinement edge.
+  /// Absent vertices take the coarser level's sign, if it has them, and then the mean of the ends
+  /// of their refinement edge.
   void interpolate(const Signs<D>& absent, const AdaptiveLevel& coarser) {
     forEachMember(absent, [&](const Coordinates<D>& v) {
       if (const auto same = signs.lattice().onCoarser(v)) signs.set(v, coarser.signs.at(*same));

@@ -1,4 +1,4 @@
-// An adaptive mesh of the RBMT (§4.3, §5.1, §5.2): octave by octave, for both directions.
+// An adaptive mesh of the RBMT (§4.3, §5.1, §5.2), coded level by level.
 #pragma once
 
 #include "coding/signs/base_coder.h"
@@ -9,17 +9,16 @@
 
 namespace isostar {
 
-/// An adaptive mesh is one of whole octaves with absent vertices: a crossing cell that is kept
-/// whole has none of the vertices that would split it, nor have its neighbours those that need
-/// them.
+/// An adaptive mesh is a sequence of whole levels with absent vertices. A crossing cell that is
+/// kept lacks all vertices that would split it, and its neighbours lack those that depend on them.
 template <int D>
 class AdaptiveMesh {
  public:
   explicit AdaptiveMesh(const Lattice<D>& base)
       : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)), coders_(std::in_place) {}
 
-  /// Of an octave without absent vertices and the next one, to show what is known of it: no more of
-  /// it can be told.
+  /// A level without absent vertices and the next one, of which only a part is coded. Such a mesh
+  /// can be displayed, but no more of it can be coded.
   AdaptiveMesh(Signs<D> coarse, Signs<D> fine, Signs<D> absent)
       : absent_(1, Signs<D>(coarse.lattice())) {
     signs_.push_back(std::move(coarse));
@@ -34,7 +33,7 @@ class AdaptiveMesh {
   [[nodiscard]] const Signs<D>& absent(int level) const {
     return absent_[static_cast<std::size_t>(level)];
   }
-  /// Has the mesh a vertex of an octave, and is it one of a simplex that is not split further?
+  /// Is a vertex of a level in the mesh, and a vertex of a simplex that is not split further?
   [[nodiscard]] bool belongsToLeaf(int level, const Coordinates<D>& v) const {
     if (absent(level).at(v)) return false;
     if (level == this->level()) return true;
@@ -50,23 +49,23 @@ class AdaptiveMesh {
     return any;
   }
 
-  /// Bytes in use beside the models, while one more brick is made.
+  /// Bytes in use beside the models while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     uint64_t sum = coders_ ? coders_->refinement.memory() : 0;
     for (const auto& s : signs_) sum += s.memory();
     for (const auto& s : absent_) sum += s.memory();
     return sum;
   }
-  /// What it takes at most, on top of that, to begin the next octave.
+  /// Bytes needed at most, in addition, to begin the next level.
   [[nodiscard]] uint64_t memoryToRefine() const {
     const BrickTable<D> finer(signs_.back().lattice().finer());
-    const uint64_t brickIndices = finer.total();
-    return 2 * brickIndices +
-           Signs<D>::memoryToFill(brickIndices, mostRefinedBricks(signs_.back(), finer)) +
-           Signs<D>::memoryToFill(brickIndices, uint64_t{absent_.back().brickCount()} << D);
+    const uint64_t tableSize = finer.total();
+    return 2 * tableSize +
+           Signs<D>::memoryToFill(tableSize, mostRefinedBricks(signs_.back(), finer)) +
+           Signs<D>::memoryToFill(tableSize, uint64_t{absent_.back().brickCount()} << D);
   }
-  /// The same to fill an octave: vertices that were absent may need bricks of their own, on finer
-  /// octaves, too.
+  /// The same to fill a level. Vertices that were absent may need bricks of their own, on finer
+  /// levels too.
   [[nodiscard]] uint64_t memoryToFill(int level) const {
     uint64_t sum = 0;
     for (auto o = static_cast<std::size_t>(level); o < signs_.size(); ++o) {
@@ -81,32 +80,32 @@ class AdaptiveMesh {
     BaseCoder<D>().code(exchange, signs_.front());
   }
 
-  /// The next octave: which crossing cells stay whole, and the signs of the new vertices of the
-  /// others.
+  /// Codes the next level: which crossing cells are kept, and the signs of the other cells' new
+  /// vertices.
   template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void refine(Exchange& exchange) {
     Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
     coders_->refinement.code(exchange, fine, &absent);
-    if (exchange.exhausted()) return;  // the octave stays as it was
+    if (exchange.exhausted()) return;  // the level does not change
     signs_.push_back(std::move(fine));
     absent_.push_back(std::move(absent));
   }
 
-  /// The base and all octaves at once; what shows is only the whole.
+  /// Codes the base and all levels as one layer, which can be shown only as a whole.
   template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void codeAll(Exchange& exchange, int finestLevel) {
-    exchange.enter(0);
+    exchange.enterLevel(0);
     base(exchange);
     for (int level = 1; level <= finestLevel; ++level) {
       exchange.hold(memory());
       if (!exchange.charge(memoryToRefine())) return;
-      exchange.enter(level);
+      exchange.enterLevel(level);
       refine(exchange);
     }
   }
 
-  /// The absent vertices of an octave, those of coarser ones being there: the reverse of the welds
-  /// that made them absent.
+  /// Codes the absent vertices of a level; coarser levels have no absent ones any more. This
+  /// reverses the welds that made them absent.
   template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void fill(Exchange& exchange, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
@@ -117,18 +116,18 @@ class AdaptiveMesh {
       signs.set(v, signs.at(corner));
     });
     exchange.hold(memory());
-    for (int dimension = D; dimension >= 1; --dimension)
-      coders_->filling.code(exchange, signs, dimension, absent);
+    for (int newAxisCount = D; newAxisCount >= 1; --newAxisCount)
+      coders_->filling.code(exchange, signs, newAxisCount, absent);
     if (exchange.exhausted()) return;
     absent = Signs<D>(signs.lattice());
     for (int finer = level + 1; finer <= this->level(); ++finer) takeOverFilled(finer);
   }
 
-  /// The signs of the finest octave; the mesh is of no use any more.
+  /// Moves the finest level's signs out. The mesh must not be used afterwards.
   [[nodiscard]] Signs<D> takeSigns() { return std::move(signs_.back()); }
 
  private:
-  /// The absent vertices of a coarser octave on the next one's lattice.
+  /// The absent vertices of a coarser level, on the next level's lattice.
   static Signs<D> inherited(const Signs<D>& coarse) {
     Signs<D> fine(coarse.lattice().finer());
     forEachMember(coarse,
@@ -136,7 +135,7 @@ class AdaptiveMesh {
     return fine;
   }
 
-  /// Vertices that are no longer absent on the coarser octave are there, too.
+  /// Vertices that are no longer absent on the coarser level are not absent here either.
   ISOSTAR_COLD void takeOverFilled(int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
@@ -148,12 +147,12 @@ class AdaptiveMesh {
     });
   }
 
-  std::vector<Signs<D>> signs_, absent_;  // by octave, as they were told
+  std::vector<Signs<D>> signs_, absent_;  // by level, as coded
   struct Coders {
     RefinementCoder<D> refinement;
     FillingCoder<D> filling;
   };
-  std::optional<Coders> coders_;  // with models of some megabytes
+  std::optional<Coders> coders_;  // its models take some megabytes
 };
 
 }  // namespace isostar

@@ -1,5 +1,5 @@
-// An adapted mesh at a single rate (§5.1, adaptive): from each crossing leaf through its gates to
-// the next, depth first.
+// The traversal of an adapted mesh at a single rate (§5.1, adaptive): from each crossing leaf
+// through its gates to the next, depth first.
 #pragma once
 
 #include "bisection/adjacency.h"
@@ -9,12 +9,13 @@
 
 namespace isostar {
 
-/// Tells the crossing leaves of a mesh of the RBMT and the signs of their vertices, each once.
+/// Codes the crossing leaves of a mesh of the RBMT and the signs of their vertices, each once.
 ///
-/// The level of the leaf behind a gate is {=, <, >} in the paper. Two leaves that share a face
-/// differ by a level at most, and by which only where the face lacks the newest vertex (<) or an
-/// end of the refinement edge (>); either is one question, whether the mesh has a vertex, and that
-/// is asked once for all simplices around the vertex's diamond.
+/// In the paper a symbol {=, <, >} gives the depth of the leaf behind a gate. Depths of two leaves
+/// that share a face differ by at most one. The leaf behind can be coarser only if the face lacks
+/// its newest vertex (<), and finer only if the face lacks an end of its refinement edge (>). Both
+/// are the same question: does the mesh have a certain vertex? It is coded once for all simplices
+/// around that vertex's diamond.
 template <int D>
 class GateTraversal {
  public:
@@ -25,9 +26,10 @@ class GateTraversal {
         signs_(Lattice<D>(hierarchy.box(), 1)),
         seeds_(hierarchy) {}
 
-  /// `ask` is a MeshTruth or a MeshBlind. Calls visit(leaf, from, fresh) for each crossing leaf
-  /// when all its signs are known: it was entered from *from and its vertex `fresh` lies behind the
-  /// gate; a component's first leaf has no `from`.
+  /// `exchange`: a MeshEncoderSide or a MeshDecoderSide. Calls visit(leaf, from, newVertex) for
+  /// each crossing leaf when all its signs are known. The traversal entered it from *from, and its
+  /// vertex number `newVertex` lies behind the gate. For the first leaf of a component `from` is
+  /// null.
   template <class Exchange, class Visit>
   void code(Exchange& exchange, Visit visit) {
     auto seed = exchange.nextSeed(visited_);
@@ -43,11 +45,11 @@ class GateTraversal {
                                                                         : Signs<D>::kNegative);
   }
 
-  /// Has the leaves told, and what conforming asks for beside them.
+  /// Contains the coded leaves, and the splits that conformity requires beside them.
   [[nodiscard]] const Rbmt<D>& mesh() const { return mesh_; }
-  /// Of a sample that is a vertex of a leaf told; of any if there was none.
+  /// The sign of a sample that is a vertex of a coded leaf; of any sample if there are no leaves.
   [[nodiscard]] bool positive(const Coordinates<D>& sample) const { return signs_.at(sample); }
-  /// Is the sample a vertex of a leaf told?
+  /// Is the sample a vertex of a coded leaf?
   [[nodiscard]] bool known(const Coordinates<D>& sample) const { return known_.at(sample); }
   [[nodiscard]] std::size_t leaves() const { return visited_.size(); }
 
@@ -55,7 +57,7 @@ class GateTraversal {
   enum Relation { kCoarser, kFiner };
   struct Open {
     TaggedSimplex<D> leaf;
-    int gate;  // the next face to look at
+    int gate;  // the next face to examine
   };
 
   template <class Exchange, class Visit>
@@ -99,14 +101,14 @@ class GateTraversal {
     return signs_.at(mesh_.hierarchy().position(v));
   }
 
-  /// Has the face opposite a vertex both signs?
+  /// Does the face opposite a vertex have both signs?
   [[nodiscard]] bool crossed(const TaggedSimplex<D>& leaf, int opposite) const {
     int positives = 0;
     for (int i = 0; i <= D; ++i) positives += i != opposite && positiveVertex(leaf.vertices[i]);
     return positives != 0 && positives != D;
   }
 
-  /// The leaf on the other side of a face, whatever its level.
+  /// The leaf on the other side of a face, whatever its depth.
   template <class Exchange>
   std::optional<Adjacent<D>> behind(Exchange& exchange, const TaggedSimplex<D>& from, int gate) {
     const auto& hierarchy = mesh_.hierarchy();
@@ -128,7 +130,8 @@ class GateTraversal {
     return next;
   }
 
-  /// Has the mesh the vertex? The symbol of {=, <, >}, where it does not follow from what is known.
+  /// Does the mesh have the vertex? Codes the symbol of {=, <, >} unless it follows from what is
+  /// known.
   template <class Exchange>
   bool contains(Exchange& exchange, const Coordinates<D>& v, Relation relation) {
     if (mesh_.contains(v)) return true;
@@ -145,8 +148,8 @@ class GateTraversal {
     return there;
   }
 
-  /// In context of what is known of the vertices of the same class beside it, and of the last
-  /// answers.
+  /// Codes the symbol. Contexts: the vertex's depth, what is known of the vertices of the same
+  /// class beside it, and the last symbols.
   template <class Coder>
   bool depth(Coder& coder, bool actual, const Coordinates<D>& v, Relation relation) {
     const auto d = mesh_.hierarchy().diamond(v);
@@ -180,8 +183,8 @@ class GateTraversal {
     signs_.set(sample, code(exchange.positive(sample)));
   }
 
-  /// Of the vertex behind a gate, in context of the gate and the vertex before it, and of the
-  /// samples around.
+  /// Codes the sign of the vertex behind a gate. Contexts: the signs of the gate and of the vertex
+  /// before it, and the samples around.
   template <class Coder>
   bool sign(Coder& coder, bool actual, const Coordinates<D>& before, const Adjacent<D>& next) {
     const auto& s = next.simplex;
@@ -208,7 +211,7 @@ class GateTraversal {
                                             &signByAround_[around], &signBySum_[tag][sum][count]};
     return Mixer<3>::bit<127, 12>(coder, actual, contexts, signWeights_[tag]);
   }
-  /// Between the simplex's vertices, along an axis.
+  /// The shortest distance between two of the simplex's vertices along an axis.
   [[nodiscard]] int32_t shortestStep(const TaggedSimplex<D>& s) const {
     return mesh_.hierarchy().baseStep() >> ((s.depth + D - 1) / D);
   }
@@ -216,7 +219,7 @@ class GateTraversal {
   static constexpr std::size_t kMostDepths = 64, kHistories = 16, kSides = 2 * D + 1;
 
   Rbmt<D> mesh_;
-  Signs<D> absent_;         // vertices that the mesh is known not to have
+  Signs<D> absent_;         // vertices that are known not to be in the mesh
   Signs<D> known_, signs_;  // by sample
   LeafSet<D> visited_;
   std::vector<Open> stack_;

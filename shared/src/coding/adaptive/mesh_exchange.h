@@ -1,4 +1,4 @@
-// Where an adapted mesh meets the coder: the two sides that a GateTraversal may ask.
+// The exchange of a GateTraversal: its encoder's and its decoder's side.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace isostar {
 
-/// The encoder's side: answers are a mesh's and the source's signs, told to a coder.
+/// The encoder's side answers from a mesh and the source's signs.
 template <int D, class Coder>
 class MeshEncoderSide {
  public:
-  /// Signs are those of the box's samples.
+  /// `signs`: of all samples of the box.
   MeshEncoderSide(Coder& coder, const Rbmt<D>& mesh, const Signs<D>& signs)
       : coder_(coder), mesh_(mesh), signs_(signs) {
     forEachCrossingLeaf(mesh, signs, [&](const TaggedSimplex<D>& leaf) { tube_.push_back(leaf); });
@@ -23,8 +23,8 @@ class MeshEncoderSide {
   [[nodiscard]] bool exhausted() const { return false; }
   [[nodiscard]] bool contains(const Coordinates<D>& v) const { return mesh_.contains(v); }
   [[nodiscard]] bool positive(const Coordinates<D>& sample) const { return signs_.at(sample); }
-  /// The first crossing leaf, in the order of forEachLeaf, that has not been visited. Leaves are
-  /// never unvisited.
+  /// The first crossing leaf, in the order of forEachLeaf, that has not been visited. A visited
+  /// leaf must stay visited.
   [[nodiscard]] std::optional<TaggedSimplex<D>> nextSeed(const LeafSet<D>& visited) {
     while (next_ < tube_.size() && visited.has(tube_[next_])) ++next_;
     return next_ < tube_.size() ? std::optional(tube_[next_]) : std::nullopt;
@@ -38,11 +38,11 @@ class MeshEncoderSide {
   std::size_t next_ = 0;
 };
 
-/// The decoder's side: there is no mesh to ask.
+/// The decoder's side has no mesh; its answers are ignored.
 template <int D>
 class MeshDecoderSide {
  public:
-  /// Stops after `slack` bytes past the end.
+  /// exhausted() becomes true after `slack` bytes beyond the end.
   MeshDecoderSide(RangeDecoder& coder, std::size_t slack) : coder_(coder), slack_(slack) {}
 
   RangeDecoder& coder() { return coder_; }

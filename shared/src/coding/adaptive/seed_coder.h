@@ -1,5 +1,5 @@
-// Where a component begins (§5.1, localization): the way down the hierarchy to a leaf, Left or
-// Right at each bisection.
+// Localization (§5.1): codes the path through the hierarchy to the first leaf of a component, Left
+// or Right at each bisection.
 #pragma once
 
 #include "bisection/adjacency.h"
@@ -8,7 +8,7 @@
 
 namespace isostar {
 
-/// Seeds come in the order of forEachLeaf: while the way follows that of the seed before, it never
+/// Seeds come in the order of forEachLeaf. So while a path follows that of the last seed, it never
 /// turns left of it.
 template <int D>
 class SeedCoder {
@@ -20,15 +20,15 @@ class SeedCoder {
     depths_.resize(std::size_t{1} << depthBits_);
   }
 
-  /// Has the box no simplices, having no extent on some axis?
+  /// Does the box have no simplices, since it has no extent on some axis?
   [[nodiscard]] bool empty() const { return base_.empty(); }
 
-  /// Tells the level of the leaf, then the way to it; the decoder has no truth. Not if there are no
-  /// simplices.
+  /// Codes the depth of the leaf, then the path to it. `actual` is empty on the decoder's side.
+  /// Must not be called if empty().
   template <class Coder>
   TaggedSimplex<D> locate(Coder& coder, const std::optional<TaggedSimplex<D>>& actual) {
     const int depth = this->depth(coder, actual ? actual->depth : 0);
-    std::vector<TaggedSimplex<D>> way;  // of the truth, from the leaf to the base
+    std::vector<TaggedSimplex<D>> way;  // the actual path, from the leaf to the base
     if (actual) {
       way.push_back(*actual);
       while (way.back().depth > 0) way.push_back(parent(way.back()));
@@ -46,7 +46,7 @@ class SeedCoder {
     auto s = base_[first];
     while (s.depth < depth) {
       const auto halves = s.halves();
-      // A half beyond the box's end is no decision.
+      // If one half lies beyond the box, there is no decision.
       const bool onlyRight = hierarchy_.flat(halves[0].vertices),
                  onlyLeft = hierarchy_.flat(halves[1].vertices);
       const bool right = actual && way[static_cast<std::size_t>(depth - s.depth - 1)].vertices ==
@@ -70,7 +70,7 @@ class SeedCoder {
   bool turn(Coder& coder, bool right) {
     const bool seen = follows_ && turns_.size() < last_.size(),
                before = seen && last_[turns_.size()];
-    // Left of the seed before there is none.
+    // There is no seed left of the last one.
     const bool taken = before || (seen ? leaves_ : free_).bit(coder, right);
     follows_ = seen && taken == before;
     turns_.push_back(taken);
@@ -85,10 +85,10 @@ class SeedCoder {
 
   Hierarchy<D> hierarchy_;
   std::vector<TaggedSimplex<D>> base_;
-  std::vector<bool> turns_, last_;  // of this seed and of the one before
-  bool follows_ = true;             // have all turns been those of the seed before?
+  std::vector<bool> turns_, last_;  // of this seed and of the last one
+  bool follows_ = true;             // are all turns up to here those of the last seed?
   int depthBits_ = 0;
-  std::vector<BitModel> depths_;  // a tree of bits
+  std::vector<BitModel> depths_;  // a binary tree over the bits of a depth
   BitModel free_, leaves_;
 };
 

@@ -1,5 +1,5 @@
-// How far the crossings around a vertex are off, by what is told of its scalar (§5.3). Only the
-// encoder asks.
+// By how much the crossings around a vertex are off if its scalar is coded as a given value (§5.3).
+// Used by the encoder only.
 #pragma once
 
 #include <array>
@@ -9,30 +9,30 @@
 
 namespace isostar {
 
-/// The crossings on the axis edges around one vertex. Errors are counted in what a pass allows.
+/// The crossings on the axis edges around one vertex. The unit of errors is what a pass allows.
 template <int D>
 class CrossingDistortion {
  public:
   struct Edge {
-    double
-        crossing;  // where the source's surface crosses it, from the vertex (0) to the far end (1)
-    double far,
-        coded;      // size of the far end's scalar, half quanta: the source's, and as it is told
-    double length;  // so many times what the pass allows
-    double weight;  // the squared cosine to the surface's normal: so much of an error lies across
-                    // the surface
-    double most;    // error; what is left is the far end's
+    double crossing;  // of the source's surface, from the vertex (0) to the far end (1)
+    double far;       // |scalar| at the far end, in half quantization steps: the source's,
+    double coded;     // and as it is or will be coded
+    double length;    // of the edge, in units of what the pass allows
+    double weight;    // squared cosine of the angle to the surface's normal: the part of an error
+                      // that lies across the surface
+    double most;      // the error that this vertex may cause; the rest is left to the far end
   };
 
   CrossingDistortion() = default;
-  /// Sizes are so much more than the middles that Scalars keep, in half quanta.
+  /// `offset`: the difference between a scalar's size and the middle that Scalars store, in half
+  /// quantization steps.
   explicit CrossingDistortion(double offset) : offset_(offset) {}
-  /// At most 2 D of them.
+  /// At most 2 D edges.
   void add(const Edge& edge) { edges_[count_++] = edge; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// If Scalars kept this middle of the vertex: squares summed up by weight, and much more for what
-  /// exceeds the most.
+  /// The distortion if Scalars stored this middle for the vertex: the weighted sum of squared
+  /// errors, plus a large penalty for each error above its `most`.
   [[nodiscard]] double of(uint32_t middle) const {
     constexpr double kExcess = 100;
     const double size = middle + offset_;
@@ -45,10 +45,10 @@ class CrossingDistortion {
     }
     return sum;
   }
-  /// May an interval end there that does not hold the truth? From its end all crossings can still
-  /// be brought within what is allowed, whatever is done so to the far ends, too.
+  /// May an interval that does not hold the actual value end here? From its end all crossings must
+  /// still be within what is allowed, even if the far ends deviate likewise.
   [[nodiscard]] bool mayEndAt(uint32_t end) const {
-    constexpr double kMost = 0.3;  // less than half
+    constexpr double kMost = 0.3;  // less than half, since both ends may deviate
     const double size = end + offset_;
     for (std::size_t i = 0; i < count_; ++i) {
       const Edge& edge = edges_[i];

@@ -1,4 +1,5 @@
-// The only place where truth meets the coder, and the only door that a traversal has.
+// The exchange: the only interface between the traversal and the coder, and the only place where
+// the source's values enter.
 #pragma once
 
 #include <optional>
@@ -13,8 +14,9 @@
 
 namespace isostar {
 
-/// The encoder's side: answers are the field's, told to a RangeEncoder or a Meter. Truth is asked
-/// for the signs of the octave in work or for scalars.
+/// The encoder's side: answers with the source's values, which are then coded by a RangeEncoder or
+/// a Meter. `actual`: the signs of the current level. `field`: scalars and decisions of the
+/// encoder.
 template <int D, class Coder, class Field>
 class EncoderExchange {
  public:
@@ -26,24 +28,24 @@ class EncoderExchange {
   [[nodiscard]] bool charge(uint64_t) const { return true; }
   void hold(uint64_t) {}
 
-  /// A layer of several octaves: their signs and the centres of their cells that stay whole, by
-  /// octave.
-  void follow(std::span<const Signs<D>> actualByLevel, std::span<const Signs<D>> kept) {
+  /// For a layer that spans several levels: by level, the signs, and the centres of the cells that
+  /// are kept.
+  void setLevels(std::span<const Signs<D>> actualByLevel, std::span<const Signs<D>> kept) {
     actualByLevel_ = actualByLevel;
     keptByLevel_ = kept;
   }
-  /// The octave in work, of those to follow.
-  void enter(int level) {
+  /// Selects one of the levels that setLevels() gave.
+  void enterLevel(int level) {
     if (actualByLevel_.empty()) return;
     actual_ = &actualByLevel_[static_cast<std::size_t>(level)];
     kept_ = &keptByLevel_[static_cast<std::size_t>(level)];
   }
 
-  /// The true signs of a row of a brick, bit x is vertex x.
+  /// The signs of a row of a brick; bit x is vertex x.
   [[nodiscard]] uint32_t row(std::size_t brickIndex, std::size_t r) const {
     return actual_->brickAt(brickIndex).rows[r];
   }
-  /// Is any vertex of a brick not of the sign given?
+  /// Does any vertex of a brick differ from a uniform brick, Signs::kNegative or kPositive?
   [[nodiscard]] bool varies(std::size_t brickIndex, uint32_t uniform) const {
     return actual_->slot(brickIndex) != uniform;
   }
@@ -61,38 +63,39 @@ class EncoderExchange {
     return std::nullopt;
   }
 
-  /// The kernel that places the octave's surface best.
-  void see(SmoothingFilter filter) { filter_ = filter; }
+  /// The smoothing filter that locates the level's surface best.
+  void setFilter(SmoothingFilter filter) { filter_ = filter; }
   [[nodiscard]] SmoothingFilter filter() const { return filter_; }
-  /// |scalar - isovalue| in quanta, of vertex x in row r of a brick of the finest octave.
+  /// |scalar| in quantization steps, of vertex x in row r of a brick of the finest level.
   [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
     return field_.magnitude(brickIndex, r, x);
   }
-  /// What to tell of it in a pass that allows so much, by edge as in FarEnds. toldAt(axis, ahead):
-  /// what Scalars know of the neighbour ahead on an axis, or before. The magnitude itself but for a
-  /// field that knows of crossings.
+  /// The value to code instead of the magnitude, in a pass that allows `allowed`, by edge as in
+  /// FarEnds. `codedAt(axis, ahead)`: what Scalars store for the next vertex along an axis, or for
+  /// the previous one. It is the magnitude itself if the field does not know distortions.
   template <class CodedAt, class Allowed>
-  [[nodiscard]] RdoqTarget<D> target(std::size_t brickIndex, std::size_t r, int x, CodedAt codedAt,
-                                     const Allowed& allowed) const {
+  [[nodiscard]] RdoqTarget<D> rdoqTarget(std::size_t brickIndex, std::size_t r, int x,
+                                         CodedAt codedAt, const Allowed& allowed) const {
     if constexpr (requires { field_.distortion(brickIndex, r, x, codedAt, allowed); })
       return {magnitude(brickIndex, r, x), field_.distortion(brickIndex, r, x, codedAt, allowed)};
     return {magnitude(brickIndex, r, x), {}};
   }
-  /// The typical difference along a crossing edge of the brick, 4 log2 of quanta.
+  /// The typical difference along a crossing edge of the brick: 4 log2 of quantization steps.
   [[nodiscard]] int gradient(std::size_t brickIndex) const { return field_.gradient(brickIndex); }
-  /// How far a vertex of the finest octave lies inside the domain, in quanta rounded down.
+  /// How far a vertex of the finest level lies inside the domain, in the steps of
+  /// Header::domainFineness(), rounded down.
   [[nodiscard]] int32_t domain(std::size_t brickIndex, std::size_t r, int x) const {
     return field_.domain(brickIndex, r, x);
   }
-  /// By how many steps of the pass in work a cube is to be displaced further; `block` is the one at
-  /// its lower corner.
+  /// By how many steps of the current pass a cube is to be displaced further. `block`: the one at
+  /// the cube's lower corner.
   [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const {
     return field_.displacement(brickIndex, block);
   }
   /// Does the brick take part in a selective pass?
   [[nodiscard]] bool selected(std::size_t brickIndex) const { return field_.selected(brickIndex); }
-  /// Of an adaptive octave: the centres of cells that stay whole, as row() has signs.
-  void keep(const Signs<D>& centres) { kept_ = &centres; }
+  /// For one level of an adaptive mesh: the centres of the cells that are kept.
+  void setKept(const Signs<D>& centres) { kept_ = &centres; }
   [[nodiscard]] uint32_t keptRow(std::size_t brickIndex, std::size_t r) const {
     return kept_->brickAt(brickIndex).rows[r];
   }
@@ -106,31 +109,31 @@ class EncoderExchange {
   std::span<const Signs<D>> actualByLevel_, keptByLevel_;
 };
 
-/// The decoder's side: there is no field to ask, so that a peek at the truth does not compile into
-/// anything.
+/// The decoder's side: there is no source. All answers are constants, which the coder ignores, so
+/// that the encoder's part of the traversal compiles to nothing.
 template <int D>
 class DecoderExchange {
  public:
-  /// Stops after `slack` bytes past the end, or when the state in work takes more than `budget`
-  /// bytes.
+  /// exhausted() becomes true after `slack` bytes beyond the end, or when the current state needs
+  /// more than `budget` bytes.
   DecoderExchange(RangeDecoder& coder, std::size_t slack, uint64_t budget)
       : coder_(coder), slack_(slack), budget_(budget) {}
 
   RangeDecoder& coder() { return coder_; }
-  /// Are the bytes of the layer or the memory used up? What would be decoded from here on is noise.
+  /// Are the bytes of the layer or the memory used up? Anything decoded from here on is noise.
   [[nodiscard]] bool exhausted() const { return overBudget_ || coder_.overrun() > slack_; }
-  /// Accounts for the memory that the state in work uses. False once the budget has been exceeded,
-  /// or the bytes are used up: then nothing more may be decoded.
+  /// Reports the memory that the current state uses, in bytes. False if the budget is exceeded or
+  /// the bytes are used up: nothing more may be decoded then.
   [[nodiscard]] bool charge(uint64_t memory) {
     overBudget_ = overBudget_ || memory + held_ > budget_;
     return !exhausted();
   }
-  /// Bytes in use beside those that charge() is given.
+  /// Sets the bytes in use beside those that are reported to charge().
   void hold(uint64_t bytes) {
     held_ = bytes;
     overBudget_ = overBudget_ || held_ > budget_;
   }
-  void enter(int) {}
+  void enterLevel(int) {}
   [[nodiscard]] bool overBudget() const { return overBudget_; }
 
   [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
@@ -144,7 +147,8 @@ class DecoderExchange {
   [[nodiscard]] SmoothingFilter filter() const { return SmoothingFilter::Middle; }
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
   template <class CodedAt, class Allowed>
-  [[nodiscard]] NoRdoqTarget target(std::size_t, std::size_t, int, CodedAt, const Allowed&) const {
+  [[nodiscard]] NoRdoqTarget rdoqTarget(std::size_t, std::size_t, int, CodedAt,
+                                        const Allowed&) const {
     return {};
   }
   [[nodiscard]] int gradient(std::size_t) const { return 0; }

@@ -1,4 +1,4 @@
-// What a coder may require of an exchange: each asks only for the questions that it has.
+// What a coder requires of an exchange: each coder names only the queries that it makes.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace isostar {
 
-/// A coder, and an account of the bytes and memory that are left.
+/// A coder, and the accounting of bytes and memory.
 template <class E>
 concept AnyExchange = requires(E& e) {
   e.coder();
@@ -18,7 +18,7 @@ concept AnyExchange = requires(E& e) {
   { e.charge(uint64_t{}) } -> std::convertible_to<bool>;
 };
 
-/// Signs of single vertices, and where the next component begins (§5.1).
+/// Signs of single vertices, and the first simplex of the next component (§5.1).
 template <class E, int D>
 concept BaseExchange = AnyExchange<E> &&
     requires(E& e, Coordinates<D> v, Lattice<D> lattice, std::vector<bool> seen) {
@@ -26,7 +26,7 @@ concept BaseExchange = AnyExchange<E> &&
   e.nextSeed(lattice, seen);
 };
 
-/// Signs by row of a brick (§5.2).
+/// Signs, row by row of a brick (§5.2).
 template <class E>
 concept SignExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex) {
   { e.row(brickIndex, brickIndex) } -> std::convertible_to<uint32_t>;
@@ -57,12 +57,12 @@ concept DomainExchange = AnyExchange<E> && requires(E& e, std::size_t brickIndex
   { e.domain(brickIndex, brickIndex, 0) } -> std::convertible_to<int32_t>;
 };
 
-/// Both sides of a whole stream.
+/// All queries of a whole stream.
 template <class E, int D>
 concept CodecExchange = BaseExchange<E, D> && SignExchange<E> && KeepExchange<E> &&
     MagnitudeExchange<E> && DisplacementExchange<E> && DomainExchange<E> && requires(E& e) {
   e.filter();
-  e.enter(0);
+  e.enterLevel(0);
 };
 
 }  // namespace isostar

@@ -1,5 +1,5 @@
-// What the encoder tells of a magnitude instead of the truth: what brings crossings nearer, or
-// costs less (§5.3).
+// RDOQ of magnitudes (§5.3): the encoder codes a value other than the actual one where that brings
+// crossings nearer or costs fewer bits.
 #pragma once
 
 #include "coding/exchange/crossing_distortion.h"
@@ -7,8 +7,8 @@
 
 namespace isostar {
 
-/// A coder that is told the truth of one decision, and tells the other answer where cost() is less
-/// than what that saves, in 1/256 of a natural unit of information.
+/// Wraps a coder for one decision: it codes the opposite of the actual decision where the
+/// distortion cost() of that is less than the information saved, both in 1/256 of a natural unit.
 template <class Coder, class Cost>
 class BiasedCoder {
  public:
@@ -24,39 +24,40 @@ class BiasedCoder {
   Cost cost_;
 };
 
-/// The magnitude that halving an interval aims at: the truth where there are no errors to go by.
+/// The magnitude that refinement moves towards: the actual one, unless another has less cost.
+/// Middles and half widths are those that Scalars store.
 template <int D>
 class RdoqTarget {
  public:
-  RdoqTarget(uint32_t actual, const CrossingDistortion<D>& errors)
-      : magnitude_(actual), errors_(errors) {}
+  RdoqTarget(uint32_t actual, const CrossingDistortion<D>& distortion)
+      : magnitude_(actual), distortion_(distortion) {}
 
   [[nodiscard]] uint32_t magnitude() const { return magnitude_; }
   [[nodiscard]] bool upper(uint32_t middle) const { return 2 * uint64_t{magnitude_} >= middle; }
 
-  /// Takes one of the intervals beside the truth's where that errs less. settled(magnitude): the
-  /// middle of the interval that halving ends with, all as Scalars keep them; `middle` and `half`
-  /// (of its width): of the one to begin with.
+  /// Chooses a neighbouring interval of the one that holds the actual magnitude, if its distortion
+  /// is less. `settled(magnitude)`: the middle of the last interval if refinement follows that
+  /// magnitude. `middle`, `half`: the middle and half the width of the first interval.
   template <class Settled>
   void choose(uint32_t middle, uint32_t half, Settled settled) {
-    if (errors_.empty()) return;
+    if (distortion_.empty()) return;
     const uint32_t own = settled(magnitude_), ownHalf = own & -own;
-    least_ = errors_.of(own);
+    least_ = distortion_.of(own);
     if (own - ownHalf > middle - half) consider(own - ownHalf, (own - ownHalf) / 2 - 1, settled);
     if (own + ownHalf < middle + half) consider(own + ownHalf, (own + ownHalf) / 2, settled);
   }
 
-  /// Calls tell(coder), which tells whether the magnitude lies above an interval's middle and
-  /// returns what has been told: the aim lies there from now on.
+  /// Calls code(coder), which codes whether the magnitude lies in the upper half of the interval
+  /// and returns the coded decision. The target then follows that decision.
   template <class Coder, class Settled, class Code>
   bool codeUpper(Coder& coder, uint32_t middle, Settled settled, Code code) {
-    if (errors_.empty()) return code(coder);
+    if (distortion_.empty()) return code(coder);
     const bool actual = upper(middle);
     const uint32_t nearest = actual ? middle / 2 - 1 : middle / 2;
     double error = -1;
     BiasedCoder biased(coder, [&] {
-      error = errors_.of(settled(nearest));
-      return errors_.mayEndAt(middle) ? (error - least_) * kPerSquare : kNever;
+      error = distortion_.of(settled(nearest));
+      return distortion_.mayEndAt(middle) ? (error - least_) * kInformationPerSquare : kNever;
     });
     const bool coded = code(biased);
     if (coded != actual) magnitude_ = nearest, least_ = error;
@@ -64,22 +65,22 @@ class RdoqTarget {
   }
 
  private:
-  /// How much information the square of what a pass allows is worth, in 1/256 of a natural unit:
-  /// measured to be best.
-  static constexpr double kPerSquare = 256 / 0.05, kNever = 1e9;
+  /// The information that a squared error is worth, in 1/256 of a natural unit; the unit of
+  /// errors is what a pass allows. Measured as the best value.
+  static constexpr double kInformationPerSquare = 256 / 0.05, kNever = 1e9;
 
   template <class Settled>
   void consider(uint32_t end, uint32_t magnitude, Settled settled) {
-    const double error = errors_.of(settled(magnitude));
-    if (error < least_ && errors_.mayEndAt(end)) magnitude_ = magnitude, least_ = error;
+    const double error = distortion_.of(settled(magnitude));
+    if (error < least_ && distortion_.mayEndAt(end)) magnitude_ = magnitude, least_ = error;
   }
 
   uint32_t magnitude_;
-  CrossingDistortion<D> errors_;
-  double least_ = 0;  // error where it ends
+  CrossingDistortion<D> distortion_;
+  double least_ = 0;  // the distortion if refinement follows magnitude_
 };
 
-/// The decoder's: it has none, and compiles into nothing.
+/// The decoder's side: it has no target and compiles to nothing.
 struct NoRdoqTarget {
   [[nodiscard]] static bool upper(uint32_t) { return false; }
   template <class Settled>

@@ -1,5 +1,4 @@
-// Before the scalars (§5.3): where the signs leave the surface's place open, cubes of vertices say
-// how far it lies off.
+// Displacements of cubes of vertices (§5.3), coded before the scalars.
 #pragma once
 
 #include "coding/exchange/exchange.h"
@@ -9,9 +8,9 @@
 
 namespace isostar {
 
-/// Tells a displacement for each cube of vertices, of all at a time: every part of the surface
-/// comes a little nearer before any comes much nearer. Planes along the grid gain most, as the
-/// signs around them say nothing.
+/// A pass codes one displacement for every cube, so that all parts of the surface come a little
+/// nearer before any part comes much nearer. Planes along the grid gain most: the signs around them
+/// say nothing about their location.
 template <int D>
 class DisplacementCoder {
  public:
@@ -29,7 +28,7 @@ class DisplacementCoder {
  private:
   using Values = Displacements<D>;
   static constexpr int kInputs = 4;
-  static constexpr int kMost = 4;  // steps at a time
+  static constexpr int kMost = 4;  // steps in one pass
   static constexpr std::size_t kDecisions = kMost + 1;
   static constexpr int kMeans = 9, kWideMeans = 17, kShares = 4, kTrusts = 4, kWideTrusts = 8;
 
@@ -57,7 +56,8 @@ class DisplacementCoder {
     } while (next(first, side));
   }
 
-  /// The blocks with a positive end of a crossing axis edge; a pass before has found them, too.
+  /// The blocks with a positive end of a crossing axis edge. An earlier pass has already found
+  /// them.
   ISOSTAR_COLD void findMembers(const Signs<D>& signs, const Values& displacements,
                                 std::size_t brickIndex) {
     if (displacements.has(brickIndex)) {
@@ -71,7 +71,7 @@ class DisplacementCoder {
     tube_.forEach(true, [&](int, std::size_t r, int x) { members_[Values::block(r, x)] = true; });
   }
 
-  /// The next cube of a brick, by the block at its lower corner.
+  /// Moves to the next cube of a brick; `first` is the block at the cube's lower corner.
   static bool next(Coordinates<D>& first, int side) {
     for (int a = 0; a < D; ++a) {
       first[a] += side;
@@ -91,25 +91,27 @@ class DisplacementCoder {
     });
   }
 
-  /// How those beside a cube differ from it: below it, where all has been told, and all around,
-  /// then the same of a block's neighbours along one axis or two; how many there are below; and how
-  /// much of the cube the surface takes.
+  /// Contexts of a cube. Means of the differences to its neighbours: below it, where all are coded,
+  /// and all around; `wide` ones include neighbours along two axes, for cubes of one block.
+  /// `trust`: how many of the neighbours below are known. `share`: how much of the cube the surface
+  /// occupies.
   struct Context {
     std::size_t below, around, wideBelow, wideAround, trust, wideTrust, share;
   };
-  /// Differences, summed up.
+  /// A sum of differences, with its weight.
   struct Differences {
     int sum = 0, count = 0;
 
     void add(int8_t value, int own, int weight = 1) {
-      weight = value == Values::kNone ? 0 : weight;  // without a branch, which nobody could predict
+      // Without a branch, which would be mispredicted often.
+      weight = value == Values::kNone ? 0 : weight;
       sum += weight * (value - own);
       count += weight;
     }
     [[nodiscard]] Differences with(const Differences& other) const {
       return {sum + other.sum, count + other.count};
     }
-    /// Their mean as a context, one of `most`, which reach two steps up and down.
+    /// Their mean, quantized to `most` contexts, which cover two steps up and down.
     [[nodiscard]] std::size_t mean(int step, int most) const {
       const int half = most / 2, unit = std::max(count, 1) * step;
       const int rounded = (std::abs(sum) * half + unit) / (2 * unit);
@@ -164,8 +166,8 @@ class DisplacementCoder {
             static_cast<std::size_t>(std::min((members - 1) / 2, kShares - 1))};
   }
 
-  /// A block's neighbour one step away on one axis or two, above it in a window; as far below there
-  /// is one of the same weight.
+  /// A neighbour of a block, one block away on one or two axes, at a higher offset in a window. At
+  /// the opposite offset there is one of the same weight.
   struct Neighbour {
     int16_t offset, weight;
   };

@@ -1,5 +1,5 @@
-// Where the domain ends near the surface (§2): the distance to its boundary at the tube's vertices,
-// as far as it is needed.
+// The end of the domain near the surface (§2): distances to its boundary at the tube's
+// vertices, as far as trimming needs them.
 #pragma once
 
 #include "coding/exchange/exchange.h"
@@ -10,16 +10,17 @@
 
 namespace isostar {
 
-/// Distances count quanta, are positive inside, and lie within [-reach, reach). Of a vertex they
-/// are kept as 2 n + 1, which is the middle of [n, n + 1) in half quanta and never 0. First the
-/// side of each vertex is told; then the distance of those that have a neighbour on the other side,
-/// so that all cells that the boundary crosses have them; all others stay at ±reach.
+/// Distances count steps of Header::domainFineness(), are positive inside, and lie within [-reach,
+/// reach). A distance n is stored as 2 n + 1, the middle of [n, n + 1) in half steps, which is
+/// never 0. The side of each vertex is coded first. Then the distance is coded of each vertex that
+/// has a neighbour on the other side, so that all cells that the boundary crosses have distances.
+/// All other vertices keep ±reach.
 template <int D>
 class DomainCoder {
  public:
   explicit DomainCoder(int32_t reach) : reach_(reach) {}
 
-  /// `diagonals`: also at vertices that only `tetrahedra` needs.
+  /// `diagonals`: include vertices that only Polygonizer::Tetrahedra needs.
   template <DomainExchange Exchange>
   ISOSTAR_COLD void code(Exchange& exchange, const Signs<D>& signs,
                          const std::vector<uint8_t>& active, bool diagonals, Scalars<D>& domain) {
@@ -39,11 +40,11 @@ class DomainCoder {
   static constexpr std::size_t kAcross = power(3, D);
 
   struct Guess {
-    int32_t distance;  // quanta, on the vertex's own side
+    int32_t distance;  // steps, on the vertex's own side
     std::size_t trust;
   };
-  /// Neighbours of a vertex: offsets in a ScalarWindow and weights; first those along the axes, a
-  /// and a + D opposite to each other.
+  /// Neighbours of a vertex: offsets in a ScalarWindow, and weights. The first 2 D are those along
+  /// the axes; a and a + D are opposite.
   struct Neighbour {
     int offset, weight;
   };
@@ -86,8 +87,8 @@ class DomainCoder {
     });
   }
 
-  /// What is known of a vertex, once its side has been told in context of its neighbours', or its
-  /// distance where they are not all on one side.
+  /// Codes the side of a vertex in context of its neighbours' sides, or else its distance if they
+  /// are not all on one side. Returns the value to store. `here`: the vertex in a ScalarWindow.
   template <DomainExchange Exchange>
   [[gnu::noinline]] ISOSTAR_COLD int32_t code(Exchange& exchange, const int32_t* here, bool side,
                                               int32_t actual) {
@@ -106,15 +107,15 @@ class DomainCoder {
     return last_ ? far() : -far();
   }
 
-  /// A distance is nearly linear: the mean of what parallelograms with three neighbours say, else
-  /// of the neighbours.
+  /// A distance is nearly linear. The guess is the mean of parallelogram predictions from three
+  /// neighbours each, or else the mean of the neighbours.
   [[nodiscard]] ISOSTAR_COLD Guess guess(const int32_t* here) const {
-    int32_t sum = 0, count = 0, near = 0, nearCount = 0;
+    int32_t sum = 0, count = 0, neighbourSum = 0, neighbourCount = 0;
     for (std::size_t a = 0; a < 2 * D; ++a) {
       const int32_t* const first = here + kNeighbours[a].offset;
       if (!coded(*first)) continue;
-      near += *first;
-      ++nearCount;
+      neighbourSum += *first;
+      ++neighbourCount;
       for (std::size_t b = 0; b < a; ++b) {
         const int other = kNeighbours[b].offset;
         if (b + D == a || !coded(here[other]) || !coded(first[other])) continue;
@@ -122,12 +123,15 @@ class DomainCoder {
         ++count;
       }
     }
-    const int32_t mean = count > 0 ? sum / count : nearCount > 0 ? near / nearCount : 0;
-    return {std::clamp((*here >= 0 ? mean : -mean) >> 1, 0, reach_ - 1),
-            static_cast<std::size_t>(count > 0 ? std::min(count, 2) + 1 : std::min(nearCount, 1))};
+    const int32_t mean = count > 0            ? sum / count
+                         : neighbourCount > 0 ? neighbourSum / neighbourCount
+                                              : 0;
+    return {
+        std::clamp((*here >= 0 ? mean : -mean) >> 1, 0, reach_ - 1),
+        static_cast<std::size_t>(count > 0 ? std::min(count, 2) + 1 : std::min(neighbourCount, 1))};
   }
 
-  /// As steps from the guess, one way or the other.
+  /// Coded as a number of steps from the guess, in one direction or the other.
   template <DomainExchange Exchange>
   ISOSTAR_COLD int32_t codeDistance(Exchange& exchange, const int32_t* here, int32_t actual) {
     const bool inside = *here >= 0;

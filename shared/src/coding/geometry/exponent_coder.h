@@ -1,4 +1,5 @@
-// The first pass of the final geometry (§5.3): which octave each magnitude lies in.
+// The exponent pass, the first pass of the scalars (§5.3): the position of each magnitude's highest
+// bit.
 #pragma once
 
 #include <bit>
@@ -12,9 +13,9 @@
 
 namespace isostar {
 
-/// Tells the octave of |scalar - isovalue| at the tube's vertices; below a floor relative to the
-/// brick's gradient, only that it lies there. A crossing lies at |a| / (|a| + |b|), so that such
-/// steps are even in distance whatever the gradient.
+/// Codes the exponents of |scalar| at the tube's vertices. Below a floor relative to the brick's
+/// gradient, it codes only that the magnitude lies below. A crossing lies at |a| / (|a| + |b|), so
+/// a factor of two means the same distance whatever the gradient.
 template <int D>
 class ExponentCoder {
  public:
@@ -26,8 +27,8 @@ class ExponentCoder {
     weights_.fill(Mixer<kInputs>::initialWeights());
   }
 
-  /// A brick's gradient, then the octave of each magnitude. Intervals [0, 2^floor) at the least,
-  /// floor being `exponentRange` octaves below the brick's gradient.
+  /// Codes a brick's gradient, then the exponent of each magnitude. The lowest interval is [0,
+  /// 2^floor); the floor is `exponentRange` bits below the brick's gradient.
   template <MagnitudeExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members,
             int exponentRange, const std::vector<uint8_t>& active, const Hints<D>& hints = {}) {
@@ -35,7 +36,7 @@ class ExponentCoder {
     code(exchange, signs, scalars, members, exponentRange, active, [](Tube<D>&) {});
   }
 
-  /// The same for the members that choose(tube) leaves or adds.
+  /// The same, after choose(tube) has added or removed members.
   template <MagnitudeExchange Exchange, class Choose>
   void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, Members members,
             int exponentRange, const std::vector<uint8_t>& active, Choose choose) {
@@ -46,14 +47,14 @@ class ExponentCoder {
       choose(tube_);
       if (tube_.empty()) continue;
       if (!scalars.hasGradient(brickIndex)) codeGradient(exchange, scalars, brickIndex);
-      if (exchange.exhausted()) return;  // what was read of the gradient may be noise
+      if (exchange.exhausted()) return;  // the gradient may be noise
       brick(exchange, scalars, members, brickIndex, exponentRange);
     }
   }
 
  private:
-  static constexpr int kMostExponents = 8;  // told apart as contexts
-  static constexpr int kGuesses = 40;       // of a quarter of an octave
+  static constexpr int kMostExponents = 8;  // distinguished by contexts
+  static constexpr int kGuesses = 40;       // in units of 1/4 bit
   static constexpr int kCrossings = 8;
   static constexpr int kInputs = 4;
   static constexpr std::size_t kShapeContexts = kCrossings * 64 * kMostExponents;
@@ -63,8 +64,8 @@ class ExponentCoder {
   static constexpr int kMostWidth = 29;
   static constexpr int kMostGradient = 4 * 31;
 
-  /// The gradient by which a brick's floor and contexts are scaled: as a difference to the last one
-  /// told.
+  /// Codes the gradient, which scales the brick's floor and contexts, as a difference to that of
+  /// the brick coded before.
   template <MagnitudeExchange Exchange>
   void codeGradient(Exchange& exchange, Scalars<D>& scalars, std::size_t brickIndex) {
     const int actual = exchange.gradient(brickIndex) - lastGradient_;
@@ -91,12 +92,12 @@ class ExponentCoder {
     }
     const SizeUnit unit(gradient_);
     shift_ = unit.shift;
-    // Positive vertices first: the others then know the far ends of their crossing edges.
+    // Positive vertices first: the negative ones then know the far ends of their crossing edges.
     for (const bool positive : {true, false})
       tube_.forEach(positive, [&](int row, std::size_t r, int x) {
         if (exchange.exhausted()) return;
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
-        if (brick.knows(v)) return;  // by another isovalue
+        if (brick.knows(v)) return;  // from another isovalue
         const auto guess = Prediction<D>::of(shapes_, window_, tube_, row, r, x, positive, unit,
                                              displaced_.at(r, x));
         const int exponent = codeExponent(exchange, guess, exchange.magnitude(brickIndex, r, x));
@@ -106,18 +107,18 @@ class ExponentCoder {
       });
   }
 
-  /// A mean size relative to the gradient, in half octaves, 1 … 15; 0 of none. `size`:
-  /// log2Eighths() of a sum of so many.
+  /// A mean size relative to the gradient, 1 … 15 in units of half a bit; 0 if there is none.
+  /// `size`: log2Eighths() of a sum of `count` sizes.
   [[nodiscard]] std::size_t relative(int size, int count) const {
     static constexpr std::array<int8_t, 9> kOfTwice{0,  8,  16, 21, 24,
-                                                    27, 29, 30, 32};  // 8 log2 of twice as many
+                                                    27, 29, 30, 32};  // 8 log2 of twice the count
     const int halves =
         ((size - kOfTwice[static_cast<std::size_t>(count)]) >> 2) + 2 * shift_ - gradient_ / 2 + 11;
     return count == 0 ? 0 : static_cast<std::size_t>(std::clamp(halves, 1, 15));
   }
 
-  /// Counted from the floor: from the octave that is guessed, up or down until it is found. The
-  /// contexts of one vertex lie side by side.
+  /// Codes an exponent, counted from the floor: starts at the predicted one and moves up or down
+  /// until it is found. The contexts of one vertex are adjacent in memory.
   template <MagnitudeExchange Exchange>
   int codeExponent(Exchange& exchange, const Prediction<D>& p, uint32_t actual) {
     const Lanes sizes = log2Eighths(Lanes{p.other, p.same, p.other + p.same, p.theirs}),
@@ -125,7 +126,8 @@ class ExponentCoder {
     const int toSteps = 8 * (shift_ - 1), guessed = ones[0] + toSteps;
     const int exponent = std::max(0, 32 - std::countl_zero(actual) - floor_),
               last = kMostWidth - floor_;
-    // The same as the neighbours are to what the signs tell of them.
+    // A second prediction: this vertex relates to what the signs say of it as its neighbours relate
+    // to what the signs say of them.
     const int alike = p.known == 0 ? guessed : ones[1] + sizes[2] - sizes[3] + toSteps;
     const auto fromFloor = [&](int size) {
       return static_cast<std::size_t>(std::clamp((size - 8 * floor_ + 16) >> 1, 0, kGuesses - 1));
@@ -160,8 +162,8 @@ class ExponentCoder {
   DisplacementWindow<D> displaced_;
   Tube<D> tube_;
   ScalarWindow<D> window_;
-  ShapeEstimate<D> shapes_{SmoothingFilter::Wide};  // as a context best for all
-  int gradient_ = 0, floor_ = 0, shift_ = 0;        // of the brick in work
+  ShapeEstimate<D> shapes_{SmoothingFilter::Wide};  // as a context the best for all levels
+  int gradient_ = 0, floor_ = 0, shift_ = 0;        // of the current brick
   int lastGradient_ = 0;
   std::array<BitModel, 16> gradientModel_;
   std::vector<BitModel> byShape_, byGuess_, bySizes_, byAll_;

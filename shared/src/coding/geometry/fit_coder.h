@@ -1,4 +1,4 @@
-// Halves of intervals by what a local fit says of them: smaller and slower than by pairs of
+// Codes magnitude refinements in contexts from a local fit: fewer bytes, but slower than pairs of
 // neighbours alone.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace isostar {
 
-/// Beside the context of the pairs, three by the fit: level, bent, and both.
+/// Mixes the context of the pairs with three of the fit: linear, curved, and both.
 template <int D>
 class FitCoder {
  public:
@@ -17,17 +17,18 @@ class FitCoder {
     weights_.fill(Mixer<4>::initialWeights());
   }
 
-  /// A brick's scalars, and its gradient as Scalars keep it.
+  /// Loads a brick's scalars. `gradient`: as Scalars store it.
   void enter(const ScalarWindow<D>& scalars, int gradient) { window_.load(scalars, gradient); }
-  /// Fits what is around vertex x in row r.
+  /// Fits the surroundings of vertex x in row r.
   void find(std::size_t r, int x, bool positive) {
     fit_ = LocalFit<D>::of(window_, r, x, positive);
   }
-  /// Takes over what has been told of it.
+  /// Stores the refined scalar for later fits.
   void update(std::size_t r, int x, int32_t scalar) { window_.update(r, x, scalar); }
 
-  /// Does the vertex found last lie in the upper half? `middle` in half quanta, 2^log2Half of these
-  /// to each end; `fineness`: of the interval, 0 … 7; `byPairs`: the chance by pairs of neighbours.
+  /// Codes whether the vertex of the last find() lies in the upper half of its interval. `middle`:
+  /// in half quantization steps; each half is 2^log2Half of them wide. `fineness`: of the interval,
+  /// 0 … 7. `byPairs`: the bit model of the pairs of neighbours.
   template <class Coder>
   bool upper(Coder& coder, bool actual, uint32_t middle, int log2Half, std::size_t fineness,
              BitModel& byPairs) {
@@ -46,18 +47,18 @@ class FitCoder {
   static constexpr std::size_t kFitContexts = kFinenesses * kCounts * kRatios;
   static constexpr std::size_t kBothContexts = kFinenesses * (kRatios / 2) * (kRatios / 2);
 
-  /// Where a guess lies in the interval, in eighths of its half: from 1, the middle being 32; 0
-  /// without a fit.
+  /// The position of a guess in the interval, in eighths of its half: 1 … 63, where 32 is the
+  /// middle; 0 without a fit.
   [[nodiscard]] std::size_t ratioOf(int32_t guess, uint32_t middle, int log2Half) const {
     if (fit_.known == 0) return 0;
     const int64_t offset = int64_t{guess} - window_.scaled(static_cast<int32_t>(middle));
-    const int log2 = std::max(log2Half + window_.up(), 0);  // of the half, scaled
+    const int log2 = std::max(log2Half + window_.up(), 0);  // of the scaled half
     const int64_t eighths = log2 >= 3 ? offset >> (log2 - 3) : offset << (3 - log2);
     return static_cast<std::size_t>(std::clamp<int64_t>(eighths + kRatios / 2, 1, kRatios - 1));
   }
 
   FitWindow<D> window_;
-  LocalFit<D> fit_;  // of the vertex in work
+  LocalFit<D> fit_;  // of the current vertex
   std::vector<BitModel> byLinear_, byCurved_, byBoth_;
   std::array<Mixer<4>::Weights, kFinenesses * kCounts> weights_;
 };

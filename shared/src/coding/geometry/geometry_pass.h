@@ -1,4 +1,4 @@
-// What a geometry layer is to do: the fields at its beginning.
+// The parameters of a geometry layer's pass: the fields at the layer's beginning.
 #pragma once
 
 #include "coding/geometry/magnitude_coder.h"
@@ -8,22 +8,26 @@
 
 namespace isostar {
 
-/// A pass over displacements or scalars, decided by the encoder.
+/// A pass over displacements or scalars, as decided by the encoder.
 template <int D>
 struct GeometryPass {
   using Allowed = typename MagnitudeCoder<D>::Allowed;
 
   LayerKind kind = LayerKind::Exponents;
   Members members = Members::AxisEnds;
-  int exponentRange = 3;            // Octaves: of the floor below the gradient
-  Allowed allowed{};                // Halving
-  int most = 1;                     // Halving: of one interval
-  bool selective = false;           // Halving: only in bricks that are told
-  DisplacementPass displacement{};  // Displacement
+  int exponentRange = 3;            // Exponents: how many bits the floor lies below the gradient
+  Allowed allowed{};                // Magnitudes: how far a crossing may move, as in FarEnds
+  int most = 1;                     // Magnitudes: refinements of one interval at most
+  bool selective = false;           // Magnitudes: codes for each brick whether it takes part
+  DisplacementPass displacement{};  // Displacement: cubes and steps
 
-  /// As HalvingCoder takes it; `fitted` holds for a whole stream.
+  /// The parameters of MagnitudeCoder. `fitted`: a property of the whole stream.
   [[nodiscard]] typename MagnitudeCoder<D>::Pass magnitudePass(bool fitted) const {
-    return {members, allowed, most, selective, fitted};
+    return {.members = members,
+            .allowed = allowed,
+            .most = most,
+            .selective = selective,
+            .fitted = fitted};
   }
 
   void write(ByteWriter& out) const {
@@ -38,12 +42,12 @@ struct GeometryPass {
     }
     out.u8(static_cast<uint64_t>(members) | (selective ? 2u : 0u) |
            static_cast<uint64_t>(most) << 2);
-    // The same on all axes, and no diagonals: one number tells all.
+    // If the same on all axes, and 0 on diagonals, one number is enough.
     const bool even = allowed == alike(allowed[1]);
     out.varint(uint64_t{allowed[1]} << 1 | (even ? 1u : 0u));
     for (std::size_t axes = 2; !even && axes < allowed.size(); ++axes) out.varint(allowed[axes]);
   }
-  /// False where a field is out of its range.
+  /// False if a field is out of range.
   [[nodiscard]] ISOSTAR_COLD bool read(ByteReader& in) {
     const uint32_t first = in.u8();
     if (kind == LayerKind::Displacement) {

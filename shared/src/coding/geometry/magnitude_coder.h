@@ -1,5 +1,4 @@
-// The further passes of the final geometry (§5.3): intervals are halved while they move the
-// surface.
+// Magnitude refinement (§5.3): passes that halve intervals as long as they move the surface.
 #pragma once
 
 #include <bit>
@@ -13,8 +12,8 @@
 
 namespace isostar {
 
-/// Halves the intervals of those vertices that still move a vertex of the surface by more than the
-/// pass allows, as both sides can see.
+/// Halves the intervals of those vertices that can still move a crossing by more than the pass
+/// allows. Both sides can compute which these are.
 template <int D>
 class MagnitudeCoder {
  public:
@@ -22,8 +21,8 @@ class MagnitudeCoder {
 
   using Allowed = typename FarEnds<D>::Allowed;
 
-  /// What a pass does: at most `most` halvings of an interval; a selective one first tells of each
-  /// brick whether it takes part; a fitted one tells halves by FitCoder.
+  /// The parameters of a pass. `most`: how often it may halve an interval. `selective`: it first
+  /// codes for each brick whether it takes part. `fitted`: it codes halves with FitCoder.
   struct Pass {
     Members members = Members::AxisEnds;
     Allowed allowed{};
@@ -53,7 +52,7 @@ class MagnitudeCoder {
   }
 
  private:
-  /// As Scalars keep it, without the sign.
+  /// As Scalars store it, without the sign.
   struct Interval {
     uint32_t middle;
     int width;
@@ -76,10 +75,10 @@ class MagnitudeCoder {
       return window_
           .value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))];
     };
-    auto target = exchange.target(brickIndex, r, x, neighbour, pass.allowed);
+    auto target = exchange.rdoqTarget(brickIndex, r, x, neighbour, pass.allowed);
     target.choose(interval.middle, uint32_t{1} << interval.width,
                   [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
-    for (int coded = 0; coded < pass.most && moves(interval, pass.selective); ++coded)
+    for (int count = 0; count < pass.most && moves(interval, pass.selective); ++count)
       halve(exchange, interval, guess, target, pass);
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
@@ -91,8 +90,7 @@ class MagnitudeCoder {
            farEnds_.move(interval.middle, uint32_t{1} << interval.width, selective);
   }
 
-  /// The middle of the interval that halving ends with for a magnitude: only an encoder can look
-  /// ahead.
+  /// The middle of the last interval if refinement follows a magnitude. Only an encoder knows one.
   [[nodiscard]] uint32_t settled(Interval interval, uint32_t magnitude, bool selective) const {
     while (moves(interval, selective)) {
       const uint32_t half = uint32_t{1} << --interval.width;
@@ -101,12 +99,12 @@ class MagnitudeCoder {
     return interval.middle;
   }
 
-  template <MagnitudeExchange Exchange, class RdoqTarget>
-  void halve(Exchange& exchange, Interval& interval, const Interpolation<D>& guess,
-             RdoqTarget& target, const Pass& pass) {
+  template <MagnitudeExchange Exchange, class Target>
+  void halve(Exchange& exchange, Interval& interval, const Interpolation<D>& guess, Target& target,
+             const Pass& pass) {
     const Interval whole = interval;
     const int width = --interval.width;
-    // Where the guess lies in the interval, in sixteenths; it may lie outside.
+    // The position of the guess in the interval, in sixteenths; it may lie outside.
     const int64_t offset = ((guess.magnitude - int64_t{interval.middle}) * (kRatios / 8)) >> width;
     const auto ratio =
         static_cast<std::size_t>(std::clamp<int64_t>(offset + kRatios / 2, 0, kRatios - 1));
@@ -127,11 +125,11 @@ class MagnitudeCoder {
   }
 
   ScalarWindow<D> window_;
-  int gradient_ = 0;    // of the brick in work
-  FarEnds<D> farEnds_;  // of the vertex in work
+  int gradient_ = 0;    // of the current brick
+  FarEnds<D> farEnds_;  // of the current vertex
   BitModel selectModel_;
   std::vector<BitModel> models_;
-  std::optional<FitCoder<D>> fit_;  // where a pass is fitted
+  std::optional<FitCoder<D>> fit_;  // set if a pass is fitted
 };
 
 }  // namespace isostar

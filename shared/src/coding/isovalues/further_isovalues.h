@@ -1,4 +1,4 @@
-// Further isovalues on top of the first (§5.4): what both sides know of them.
+// Further isovalues on top of the first (§5.4): the state that encoder and decoder share.
 #pragma once
 
 #include <memory>
@@ -11,34 +11,34 @@
 
 namespace isostar {
 
-/// An isovalue whose signs have been told, and how far its scalars are.
+/// A further isovalue whose signs are coded, and its scalars as far as they are coded.
 template <int D>
 struct FurtherSurface {
   double isovalue = 0;
-  int32_t isoStep = 0;  // quanta above the first isovalue
+  int32_t isoStep = 0;  // quantization steps above the first isovalue
   Signs<D> signs;
   std::vector<uint8_t> active;  // as of activeBricks(signs)
-  Scalars<D> scalars;           // of all vertices with an interval, seen from the isovalue
+  Scalars<D> scalars;           // of all vertices with an interval, relative to the isovalue
   std::array<bool, 2> coded{};  // by Members
 };
 
 template <int D>
 class FurtherIsovalues {
  public:
-  /// The first isovalue's surface, as far as it has been told.
+  /// The first isovalue's surface, as far as it is coded.
   struct First {
     double isovalue;
     const Signs<D>& signs;
     const Scalars<D>& scalars;
   };
 
-  /// A surface that has been told, and where its isovalue is.
+  /// A coded surface and its isovalue.
   struct Neighbour {
     double isovalue;
     int32_t isoStep;
     const Signs<D>* signs;
   };
-  /// There is at least one: the first.
+  /// The coded isovalues on both sides of another one. At least one of them exists: the first.
   struct Neighbours {
     std::optional<Neighbour> below, above;
     [[nodiscard]] const Neighbour& nearest(double isovalue) const {
@@ -48,7 +48,7 @@ class FurtherIsovalues {
   };
 
   [[nodiscard]] const std::vector<FurtherSurface<D>>& surfaces() const { return surfaces_; }
-  /// Of an isovalue; null where its signs have not been told.
+  /// The surface of an isovalue; null if its signs are not coded.
   [[nodiscard]] const FurtherSurface<D>* find(double isovalue) const {
     for (const auto& s : surfaces_) {
       if (s.isovalue == isovalue) return &s;
@@ -56,8 +56,8 @@ class FurtherIsovalues {
     return nullptr;
   }
 
-  /// The signs of one more isovalue, `level` quanta above the first one; by `margin` levels and
-  /// signs may disagree.
+  /// Codes the signs of one more isovalue, `isoStep` quantization steps above the first. `margin`:
+  /// by how many steps iso steps and signs may disagree.
   template <CodecExchange<D> Exchange>
   [[gnu::noinline]] void signs(Exchange& exchange, const First& first, double isovalue,
                                int32_t isoStep, int32_t margin) {
@@ -66,23 +66,25 @@ class FurtherIsovalues {
     FurtherSurface<D> added;
     added.isovalue = isovalue;
     added.isoStep = isoStep;
-    typename FurtherSignCoder<D>::Task task;
-    task.isoStep = isoStep;
-    task.margin = margin;
-    const Neighbours near = neighbours(first, isovalue);
-    if (near.below)
-      std::tie(task.below, task.isoStepBelow) = std::pair(near.below->signs, near.below->isoStep);
-    if (near.above)
-      std::tie(task.above, task.isoStepAbove) = std::pair(near.above->signs, near.above->isoStep);
-    added.signs = *near.nearest(isovalue).signs;
-    added.scalars = seenFrom(first, isoStep);
-    coders_->signs.code(exchange, task, intervals_, added.signs, added.scalars);
-    if (exchange.exhausted()) return;  // not all are known
+    typename FurtherSignCoder<D>::Position position;
+    position.isoStep = isoStep;
+    position.margin = margin;
+    const Neighbours beside = neighbours(first, isovalue);
+    if (beside.below)
+      std::tie(position.below, position.isoStepBelow) =
+          std::pair(beside.below->signs, beside.below->isoStep);
+    if (beside.above)
+      std::tie(position.above, position.isoStepAbove) =
+          std::pair(beside.above->signs, beside.above->isoStep);
+    added.signs = *beside.nearest(isovalue).signs;
+    added.scalars = relativeTo(first, isoStep);
+    coders_->signs.code(exchange, position, intervals_, added.signs, added.scalars);
+    if (exchange.exhausted()) return;  // some signs are unknown
     added.active = activeBricks(added.signs);
     surfaces_.push_back(std::move(added));
   }
 
-  /// Octaves of what has no bounds yet.
+  /// Codes exponents of the vertices without bounds.
   template <CodecExchange<D> Exchange>
   [[gnu::noinline]] void exponents(Exchange& exchange, Members members, int exponentRange) {
     FurtherSurface<D>& last = surfaces_.back();
@@ -102,23 +104,24 @@ class FurtherIsovalues {
                              last.active);
   }
 
-  /// The isovalues told on both sides of another.
+  /// The coded isovalues next to `isovalue` on both sides.
   [[nodiscard]] Neighbours neighbours(const First& first, double isovalue) const {
-    Neighbours near;
-    const auto see = [&](const Neighbour& one) {
-      if (one.isovalue <= isovalue && (!near.below || one.isovalue > near.below->isovalue))
-        near.below = one;
-      if (one.isovalue > isovalue && (!near.above || one.isovalue < near.above->isovalue))
-        near.above = one;
+    Neighbours found;
+    const auto consider = [&](const Neighbour& one) {
+      if (one.isovalue <= isovalue && (!found.below || one.isovalue > found.below->isovalue))
+        found.below = one;
+      if (one.isovalue > isovalue && (!found.above || one.isovalue < found.above->isovalue))
+        found.above = one;
     };
-    see({first.isovalue, 0, &first.signs});
-    for (const auto& s : surfaces_) see({s.isovalue, s.isoStep, &s.signs});
-    return near;
+    consider({first.isovalue, 0, &first.signs});
+    for (const auto& s : surfaces_) consider({s.isovalue, s.isoStep, &s.signs});
+    return found;
   }
 
-  /// Middles of all intervals, with the gradients of the last isovalue told there.
-  [[nodiscard]] Scalars<D> seenFrom(const First& first, int32_t isoStep) const {
-    if (intervals_.tableSize() == 0) return first.scalars;  // no further one has begun
+  /// The middles of all intervals relative to an isovalue, with the gradient of the isovalue coded
+  /// last in each brick.
+  [[nodiscard]] Scalars<D> relativeTo(const First& first, int32_t isoStep) const {
+    if (intervals_.tableSize() == 0) return first.scalars;  // no further isovalue has begun
     Scalars<D> scalars(intervals_.tableSize());
     int gradient = 0;
     for (std::size_t brickIndex = 0; brickIndex < intervals_.tableSize(); ++brickIndex) {
@@ -138,21 +141,21 @@ class FurtherIsovalues {
     return scalars;
   }
 
-  /// Bytes that it takes at most to begin one more isovalue: intervals, scalars, signs as they are
-  /// and as they become tidy.
+  /// Bytes needed at most to begin one more isovalue: intervals, scalars, and signs, of which there
+  /// are two copies while they are compacted.
   [[nodiscard]] uint64_t memoryToBegin(const First& first) const {
     const auto& table = first.signs.table();
-    const uint64_t brickIndices = table.total();
+    const uint64_t tableSize = table.total();
     const bool none = surfaces_.empty();
-    const uint64_t known = bricksSeen(first);
+    const uint64_t known = bricksKnown(first);
     uint64_t most = first.signs.brickCount();
     for (const auto& s : surfaces_) most = std::max<uint64_t>(most, s.signs.brickCount());
-    return (none ? Intervals<D>::memoryOf(brickIndices, known) : 0) +
-           Scalars<D>::memoryOf(brickIndices, known) + brickIndices +
-           2 * Signs<D>::memoryToFill(brickIndices, most) +
+    return (none ? Intervals<D>::memoryOf(tableSize, known) : 0) +
+           Scalars<D>::memoryOf(tableSize, known) + tableSize +
+           2 * Signs<D>::memoryToFill(tableSize, most) +
            VertexFront<D>::memoryToBegin(table, 2 * most);
   }
-  /// The same for scalars that are told of vertices without an interval.
+  /// The same for scalars of vertices without an interval.
   [[nodiscard]] uint64_t memoryToCode() const {
     const auto& active = surfaces_.back().active;
     uint64_t bricks = 0;
@@ -160,15 +163,15 @@ class FurtherIsovalues {
       bricks += active[brickIndex] != 0 && !intervals_.has(brickIndex) ? 1 : 0;
     return Scalars<D>::memoryOf(0, bricks) + Intervals<D>::memoryOf(0, bricks);
   }
-  /// Bytes in use beside the models, while one more brick is made.
+  /// Bytes in use beside the models while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     uint64_t sum = memoryOfIntervals();
     for (const auto& s : surfaces_) sum += s.signs.memory() + s.scalars.memory() + s.active.size();
     return sum;
   }
   [[nodiscard]] uint64_t memoryOfIntervals() const { return intervals_.memory(); }
-  /// In how many bricks seenFrom() knows something.
-  [[nodiscard]] std::size_t bricksSeen(const First& first) const {
+  /// In how many bricks relativeTo() knows something.
+  [[nodiscard]] std::size_t bricksKnown(const First& first) const {
     return surfaces_.empty() ? first.scalars.brickCount() : intervals_.brickCount();
   }
 
@@ -189,7 +192,7 @@ class FurtherIsovalues {
 
   std::vector<FurtherSurface<D>> surfaces_;
   Intervals<D> intervals_;
-  std::unique_ptr<Coders> coders_;  // most streams need none
+  std::unique_ptr<Coders> coders_;  // allocated on demand: most streams need none
 };
 
 }  // namespace isostar

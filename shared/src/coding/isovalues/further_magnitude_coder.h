@@ -1,5 +1,5 @@
-// Close-by isosurfaces (§5.4), second half: intervals known from other isovalues are halved where
-// they move the new surface.
+// Magnitude refinement for a further isovalue (§5.4): halves the intervals known from other
+// isovalues where they move the new surface.
 #pragma once
 
 #include "coding/geometry/magnitude_coder.h"
@@ -7,7 +7,7 @@
 
 namespace isostar {
 
-/// As HalvingCoder does it, for intervals of any width: other isovalues have cut them anywhere.
+/// Like MagnitudeCoder, but for intervals of any width: other isovalues may have cut them anywhere.
 template <int D>
 class FurtherMagnitudeCoder {
  public:
@@ -15,7 +15,7 @@ class FurtherMagnitudeCoder {
 
   using Pass = typename MagnitudeCoder<D>::Pass;
 
-  /// `scalars` are what intervals tell as seen from `level`, the isovalue's.
+  /// `isoStep`: of the isovalue. `scalars`: the middles of the intervals relative to it.
   template <MagnitudeExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, int32_t isoStep, Intervals<D>& intervals,
             Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
@@ -40,8 +40,8 @@ class FurtherMagnitudeCoder {
         const auto actual = static_cast<int32_t>(exchange.magnitude(brickIndex, r, x));
         const int32_t own = isoStep + (positive ? actual : -1 - actual),
                       expected = guessed(guess, positive, isoStep, known[v]);
-        for (int coded = 0; coded < pass.most && moves(known[v], isoStep, pass.selective);
-             ++coded) {
+        for (int count = 0; count < pass.most && moves(known[v], isoStep, pass.selective);
+             ++count) {
           halve(exchange, known[v], expected, guess.confidence, own);
         }
         window_.value[window_.index(r, x)] = brick.value[v] = known[v].value(isoStep);
@@ -59,7 +59,7 @@ class FurtherMagnitudeCoder {
                          selective);
   }
 
-  /// The level that is guessed; not far outside the interval.
+  /// The predicted iso step, not far outside the interval.
   static int32_t guessed(const Interpolation<D>& guess, bool positive, int32_t isoStep,
                          const Interval& interval) {
     const int64_t away = guess.magnitude / 2, at = isoStep + (positive ? away : -away);
@@ -83,8 +83,8 @@ class FurtherMagnitudeCoder {
   }
 
   ScalarWindow<D> window_;
-  int gradient_ = 0;    // of the brick in work
-  FarEnds<D> farEnds_;  // of the vertex in work
+  int gradient_ = 0;    // of the current brick
+  FarEnds<D> farEnds_;  // of the current vertex
   BitModel selectModel_;
   std::vector<BitModel> models_;
 };

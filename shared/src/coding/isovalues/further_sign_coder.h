@@ -1,49 +1,39 @@
-// Close-by isosurfaces (§5.4), first half: the signs of a further isovalue where those told do not
-// imply them.
+// The signs of a further isovalue (§5.4), where coded isovalues do not imply them.
 #pragma once
 
 #include "coding/exchange/exchange.h"
-#include "estimate/prediction.h"
-#include "grid/vertex_front.h"
-#include "scalars/intervals.h"
+#include "coding/isovalues/further_sign_contexts.h"
 
 namespace isostar {
 
-/// Starts from the nearest isovalue's signs. Open are the vertices between the isovalues told on
-/// both sides of the new one whose known interval, if any, does not decide. Those with an interval
-/// are told first; then, in a front that grows as signs turn, those beside a vertex of the other
-/// sign. What is left has the nearest isovalue's sign, but for components that first appear:
-/// exceptions, localized by group of bricks, brick, row and vertex, from each of which the front
-/// goes on. So the signs are exactly the source's.
+/// Starts with the signs of the nearest coded isovalue. Open are those vertices that lie between
+/// the coded isovalues on both sides, unless a known interval decides their sign. Vertices with an
+/// interval are coded first. Then a front is coded, which grows as signs change: the vertices
+/// beside one of the other sign. All others keep the nearest isovalue's sign, except in new
+/// components; these are localized by group of bricks, brick, row and vertex, and the front
+/// continues from each. So all signs are exactly the source's.
 template <int D>
 class FurtherSignCoder {
  public:
-  FurtherSignCoder()
-      : byInterval_(kIntervalContexts),
-        byGuess_(kGuessContexts),
-        byCrossings_(kCrossingContexts),
-        byPattern_(kPatternContexts) {
-    weights_.fill(Mixer<kInputs>::initialWeights());
-  }
-
-  /// Levels of the new isovalue and of those told next to it, null where there is none; `margin` is
-  /// by how many quanta levels and signs may disagree.
-  struct Task {
+  /// The new isovalue among the coded ones: its iso step, and signs and iso steps of its neighbours
+  /// on both sides (null if there is none). `margin`: by how many quantization steps iso steps and
+  /// signs may disagree.
+  struct Position {
     int32_t isoStep = 0, margin = 0;
     const Signs<D>*below = nullptr, *above = nullptr;
     int32_t isoStepBelow = -Interval::kFar, isoStepAbove = Interval::kFar;
   };
 
-  /// `signs` are the nearest isovalue's at first; `scalars` what intervals tell, seen from the new
-  /// isovalue.
+  /// `signs`: at first those of the nearest isovalue. `scalars`: the middles of the intervals
+  /// relative to the new isovalue.
   template <SignExchange Exchange>
-  [[gnu::noinline]] void code(Exchange& exchange, const Task& task, Intervals<D>& intervals,
+  [[gnu::noinline]] void code(Exchange& exchange, const Position& position, Intervals<D>& intervals,
                               Signs<D>& signs, Scalars<D>& scalars) {
-    task_ = &task;
+    position_ = &position;
     intervals_ = &intervals;
     signs_ = &signs;
     scalars_ = &scalars;
-    front_.begin(signs, task.below, task.above);
+    front_.begin(signs, position.below, position.above);
     for (std::size_t brickIndex = 0; brickIndex < front_.tableSize(); ++brickIndex)
       decide(brickIndex);
     for (std::size_t brickIndex = 0; brickIndex < front_.tableSize() && charge(exchange);
@@ -58,15 +48,7 @@ class FurtherSignCoder {
   }
 
  private:
-  static constexpr int kInputs = 4;
-  static constexpr int kParts = 16;    // of an interval
-  static constexpr int kGuesses = 32;  // of an eighth of a step
-  static constexpr int kSides = 2 * D + 1;
-  static constexpr std::size_t kGroup = 64;  // bricks in a row that share a flag
-  static constexpr std::size_t kIntervalContexts = (kParts + 1) * kGuesses * 4;
-  static constexpr std::size_t kGuessContexts = kGuesses * kSides * 5;
-  static constexpr std::size_t kCrossingContexts = kSides * (kParts + 1) * 8;
-  static constexpr std::size_t kPatternContexts = (1u << (2 * D)) * 5;
+  static constexpr std::size_t kGroup = 64;  // consecutive bricks that share a flag
 
   template <SignExchange Exchange>
   bool charge(Exchange& exchange) const {
@@ -76,13 +58,13 @@ class FurtherSignCoder {
 
   /// Does a known interval lie on one side?
   [[nodiscard]] bool above(const Interval& i) const {
-    return i.low >= task_->isoStep + task_->margin;
+    return i.low >= position_->isoStep + position_->margin;
   }
   [[nodiscard]] bool below(const Interval& i) const {
-    return i.high <= task_->isoStep - task_->margin;
+    return i.high <= position_->isoStep - position_->margin;
   }
 
-  /// Closes the vertices of a brick that their intervals decide.
+  /// Closes the vertices of a brick whose intervals decide their sign.
   void decide(std::size_t brickIndex) {
     if (!intervals_->has(brickIndex) || !front_.open(brickIndex)) return;
     const auto& known = intervals_->at(brickIndex);
@@ -96,7 +78,7 @@ class FurtherSignCoder {
     }
   }
 
-  /// Tells the vertices of a brick whose intervals the new isovalue cuts.
+  /// Codes the vertices of a brick whose intervals contain the new isovalue.
   template <SignExchange Exchange>
   void codeCut(Exchange& exchange, std::size_t brickIndex) {
     if (!intervals_->has(brickIndex) || !front_.open(brickIndex)) return;
@@ -133,7 +115,7 @@ class FurtherSignCoder {
     }
   }
 
-  /// Components that first appear.
+  /// Codes new components in a group of bricks.
   template <SignExchange Exchange>
   void group(Exchange& exchange, std::size_t first, std::size_t end) {
     bool any = false, open = false;
@@ -156,12 +138,12 @@ class FurtherSignCoder {
     const uint32_t index = signs_->slot(brickIndex);
     if (index <= Signs<D>::kPositive && !exchange.varies(brickIndex, index)) return false;
     uint32_t any = 0;
-    for (std::size_t r = 0; r < kRows; ++r) any |= exceptions(exchange, brickIndex, r);
+    for (std::size_t r = 0; r < kRows; ++r) any |= mispredicted(exchange, brickIndex, r);
     return any != 0;
   }
 
   template <SignExchange Exchange>
-  uint32_t exceptions(Exchange& exchange, std::size_t brickIndex, std::size_t r) const {
+  uint32_t mispredicted(Exchange& exchange, std::size_t brickIndex, std::size_t r) const {
     return (exchange.row(brickIndex, r) ^ signs_->brickAt(brickIndex).rows[r]) &
            front_.openRow(brickIndex, r);
   }
@@ -169,11 +151,11 @@ class FurtherSignCoder {
   template <SignExchange Exchange>
   void row(Exchange& exchange, std::size_t brickIndex, std::size_t r) {
     if (front_.openRow(brickIndex, r) == 0 ||
-        !rowFlag_.bit(exchange.coder(), exceptions(exchange, brickIndex, r) != 0))
+        !rowFlag_.bit(exchange.coder(), mispredicted(exchange, brickIndex, r) != 0))
       return;
     for (int x = 0; x < kBrickSide && charge(exchange); ++x) {
       if ((front_.openRow(brickIndex, r) >> x & 1) == 0) continue;
-      if (!vertexFlag_.bit(exchange.coder(), (exceptions(exchange, brickIndex, r) >> x & 1) != 0))
+      if (!vertexFlag_.bit(exchange.coder(), (mispredicted(exchange, brickIndex, r) >> x & 1) != 0))
         continue;
       enter(brickIndex);
       settle(brickIndex, r, x, !front_.positive(r, x));
@@ -184,88 +166,36 @@ class FurtherSignCoder {
 
   [[gnu::noinline]] void enter(std::size_t brickIndex) {
     front_.enter(brickIndex);
-    values_.load(*scalars_, signs_->table(), signs_->table().brick(brickIndex));
-    shapes_.load(front_.window());
-    if (scalars_->has(brickIndex)) gradient_ = scalars_->gradient(brickIndex);
-    steps_ = SlopeUnit(gradient_);
+    contexts_.enter(front_, *scalars_, signs_->table(), brickIndex);
   }
 
   template <SignExchange Exchange>
   [[gnu::noinline]] void codeVertex(Exchange& exchange, std::size_t brickIndex, std::size_t r,
                                     int x) {
-    const bool flipped = codeFlipped(exchange, r, x, known(brickIndex, vertexOf(r, x)),
-                                     (exchange.row(brickIndex, r) >> x & 1) != 0);
+    const bool flipped = contexts_.codeFlipped(exchange.coder(), front_, r, x, position_->isoStep,
+                                               known(brickIndex, vertexOf(r, x)),
+                                               (exchange.row(brickIndex, r) >> x & 1) != 0);
     settle(brickIndex, r, x, flipped != front_.positive(r, x));
   }
 
-  /// Has the vertex another sign than at the nearest isovalue? Contexts are seen from that sign's
-  /// side.
-  template <SignExchange Exchange>
-  bool codeFlipped(Exchange& exchange, std::size_t r, int x, const Interval& interval,
-                   bool actual) {
-    const bool mine = front_.positive(r, x);
-    const int32_t* here = &values_.value[ScalarWindow<D>::index(r, x)];
-    int64_t sum = 0;
-    int32_t tilt = 0;
-    int count = 0, crossings = 0;
-    unsigned pattern = 0;
-    for (int a = 0; a < D; ++a) {
-      for (int side = -1; side <= 1; side += 2) {
-        const int32_t value = here[side * ScalarWindow<D>::stride(a)];
-        const bool other = front_.neighbour(r, x, a, side) != mine;
-        pattern = pattern << 1 | (other ? 1u : 0u);
-        crossings += other ? 1 : 0;
-        if (value == Scalars<D>::kUnknown) continue;
-        sum += value;
-        tilt += side * shapes_.slope(a, r, x);
-        ++count;
-      }
-    }
-    int64_t guess = count == 0 ? 0 : (sum - steps_.times(tilt)) * reciprocal(count) >> 16;
-    if (!mine) guess = -guess;
-    const auto scaled = [&](int64_t step) {
-      return static_cast<std::size_t>(
-          std::clamp<int64_t>(guess * 8 / step + kGuesses / 2, 0, kGuesses - 1));
-    };
-    const std::size_t byStep = scaled(std::max<int64_t>(1, steps_.eighth() * 8)),
-                      confidence = static_cast<std::size_t>(std::min(count, 3));
-    std::size_t part = kParts, inInterval = byStep, wide = 0;
-    if (interval.bounded()) {
-      const int64_t width = interval.width(),
-                    mineSide = mine ? int64_t{interval.high} - task_->isoStep
-                                    : int64_t{task_->isoStep} - interval.low;
-      part =
-          static_cast<std::size_t>(std::clamp<int64_t>(mineSide * kParts / width, 0, kParts - 1));
-      inInterval = scaled(2 * width);
-      wide = static_cast<std::size_t>(
-          std::clamp(gradient_ / 4 - (32 - std::countl_zero(interval.width())) + 2, 0, 7));
-    }
-    const auto sides = static_cast<std::size_t>(crossings), quarter = part / 4;
-    const std::array<BitModel*, kInputs> contexts{
-        &byInterval_[(part * kGuesses + inInterval) * 4 + confidence],
-        &byGuess_[(byStep * kSides + sides) * 5 + quarter],
-        &byCrossings_[(sides * (kParts + 1) + part) * 8 + wide],
-        &byPattern_[pattern * 5 + quarter]};
-    return Mixer<kInputs>::template bit<255, 12>(exchange.coder(), actual != mine, contexts,
-                                                 weights_[sides * 5 + quarter]);
-  }
-
-  /// What scalars tell of an open vertex, or else the signs on both sides.
+  /// The interval of an open vertex, or else the range between the isovalues on both sides.
   [[nodiscard]] Interval known(std::size_t brickIndex, std::size_t v) const {
     const Interval& interval = intervals_->at(brickIndex)[v];
-    return interval.bounded() ? interval : Interval{task_->isoStepBelow, task_->isoStepAbove};
+    return interval.bounded() ? interval
+                              : Interval{position_->isoStepBelow, position_->isoStepAbove};
   }
 
-  /// A sign that is known now cuts the interval, and bounds one that had no bounds.
+  /// A known sign cuts the vertex's interval, and bounds one that had no bounds.
   void settle(std::size_t brickIndex, std::size_t r, int x, bool positive) {
     front_.close(brickIndex, r, x, positive);
     const std::size_t v = vertexOf(r, x);
-    const Interval interval = known(brickIndex, v).cut(task_->isoStep, positive);
+    const Interval interval = known(brickIndex, v).cut(position_->isoStep, positive);
     if (!interval.bounded()) return;
     intervals_->writable(brickIndex)[v] = interval;
-    if (!scalars_->has(brickIndex)) scalars_->setGradient(brickIndex, gradient_);
-    scalars_->writable(brickIndex).value[v] = values_.value[ScalarWindow<D>::index(r, x)] =
-        interval.value(task_->isoStep);
+    if (!scalars_->has(brickIndex)) scalars_->setGradient(brickIndex, contexts_.gradient());
+    const int32_t value = interval.value(position_->isoStep);
+    scalars_->writable(brickIndex).value[v] = value;
+    contexts_.set(r, x, value);
   }
 
   static constexpr std::size_t kRows = power(kBrickSide, D - 1);
@@ -273,17 +203,12 @@ class FurtherSignCoder {
     return r * kBrickSide + static_cast<std::size_t>(x);
   }
 
-  const Task* task_ = nullptr;
+  const Position* position_ = nullptr;
   Intervals<D>* intervals_ = nullptr;
   Signs<D>* signs_ = nullptr;
   Scalars<D>* scalars_ = nullptr;
   VertexFront<D> front_;
-  ScalarWindow<D> values_;
-  ShapeEstimate<D> shapes_{SmoothingFilter::Wide};
-  int gradient_ = 4;
-  SlopeUnit steps_;
-  std::vector<BitModel> byInterval_, byGuess_, byCrossings_, byPattern_;
-  std::array<typename Mixer<kInputs>::Weights, kSides * 5> weights_;
+  FurtherSignContexts<D> contexts_;
   BitModel groupFlag_, brickFlag_, rowFlag_, vertexFlag_;
 };
 

@@ -1,4 +1,4 @@
-// The base surface (§5.1, uniform): each component is localized, then the tube is followed through
+// The base level (§5.1, uniform): each component is localized, then the tube is traversed through
 // its gates, depth first.
 #pragma once
 
@@ -11,8 +11,9 @@
 
 namespace isostar {
 
-/// Tells the signs of the coarsest octave. The sign of a vertex of the tube is told once, when the
-/// traversal first meets it; all others are deduced, since they lie on one side of the tube.
+/// Codes the signs of the base level. The sign of a vertex of the tube is coded once, when the
+/// traversal first reaches it. All other signs are deduced, since those vertices lie on one side of
+/// the tube.
 template <int D>
 class BaseCoder {
  public:
@@ -45,9 +46,9 @@ class BaseCoder {
     return at;
   }
 
-  /// The hierarchy is a binary partition of space: one Left/Right decision halves the box across
-  /// its longest side, until a cell is left; then the simplex in it. A side that is empty is no
-  /// decision.
+  /// Codes the path to a component's first simplex. The hierarchy is a binary partition of space:
+  /// one Left/Right decision halves the box across its longest side until one cell is left; further
+  /// decisions halve the list of its simplices. Empty sides need no decision.
   template <BaseExchange<D> Exchange>
   Simplex<D> localize(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& actual) {
     Coordinates<D> low{}, high = lattice.last;  // cells low … high - 1
@@ -82,7 +83,8 @@ class BaseCoder {
     }
   }
 
-  /// Goes on through the first valid gate: a crossing face that leads to a simplex not yet visited.
+  /// Moves on through the first valid gate: a crossing face that leads to a simplex not yet
+  /// visited. False if there is none.
   template <BaseExchange<D> Exchange>
   bool step(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D> from) {
     std::array<bool, D + 1> positive;

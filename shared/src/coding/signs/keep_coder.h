@@ -1,4 +1,4 @@
-// Keep or Refine (§5.1, §5.2): which crossing cells of an adaptive octave stay whole.
+// Keep or Refine (§5.1, §5.2): which crossing cells of an adaptive mesh's level are kept.
 #pragma once
 
 #include "coding/exchange/exchange.h"
@@ -6,12 +6,12 @@
 
 namespace isostar {
 
-/// A cell stays whole if its centre is absent: told of each centre whose diamond has both signs, in
-/// context of how many centres around are absent.
+/// A cell is kept if its centre is absent. This is coded for each centre whose diamond has both
+/// signs, in context of how many centres around are absent.
 template <int D>
 class KeepCoder {
  public:
-  /// Of the brick that has been entered, in the class of centres.
+  /// For the brick that rows.enter() has entered, in the class of centres (D new axes).
   template <KeepExchange Exchange>
   void code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
     for (int i = 0; i < rows.openCount(); ++i) {

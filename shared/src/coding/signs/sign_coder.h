@@ -1,4 +1,5 @@
-// The signs of fresh vertices whose diamond has both (§5.2), told in context of the signs around.
+// The signs of new vertices whose diamond has both signs (§5.2), coded in context of the signs
+// around.
 #pragma once
 
 #include "coding/exchange/exchange.h"
@@ -7,8 +8,8 @@
 
 namespace isostar {
 
-/// Three contexts and an estimate are mixed: the diamond as it is, counts of its signs, counts of
-/// those further away, and what each neighbour's sign says by a weight of its own.
+/// Mixes three contexts and an estimate: the exact signs of the diamond, counts of its signs,
+/// counts of signs further away, and a weighted sum of all signs around.
 template <int D>
 class SignCoder {
  public:
@@ -19,8 +20,8 @@ class SignCoder {
     uint32_t near = 0, counted = 0;
     for (unsigned set = 1; set < kSets; ++set) {
       const auto& n = neighbourhoods_[set];
-      const unsigned first =
-          (1u << std::popcount(set)) - 1;  // of those with as many axes, which share all but near_
+      // The first set with that many axes; they share all tables but near_.
+      const unsigned first = (1u << std::popcount(set)) - 1;
       const int diamondBits = std::min(n.diamondCount(), Nearby::kDiamondBits),
                 siblings = std::min(kSiblings, kMostNearBits - diamondBits);
       tables_[set] = {near, set == first ? counted : tables_[first].counted, siblings};
@@ -33,7 +34,8 @@ class SignCoder {
     weights_.resize(counted, Mixer<kInputs>::initialWeightsWithEstimate());
   }
 
-  /// The open vertices of the brick that has been entered. How many were there?
+  /// Codes the open vertices of the brick that rows.enter() has entered. Returns how many there
+  /// were.
   template <SignExchange Exchange>
   int code(Exchange& exchange, std::size_t brickIndex, NewVertexRows<D>& rows) {
     int coded = 0;
@@ -57,7 +59,7 @@ class SignCoder {
     const uint16_t before = signs;
     for (Bits open = row.open; open != 0; open &= open - 1, ++coded) {
       const int x = std::countr_zero(open), at = x + Window<D>::kHalo;
-      // Without a branch, which nobody could predict.
+      // Without a branch, which would be mispredicted often.
       const unsigned flipped =
           (static_cast<unsigned>(signs) >> at & 1) ^
           (codeSign(exchange, &signs, row.newAxes, at, (actual >> x & 1) != 0) ? 1u : 0u);
@@ -68,7 +70,7 @@ class SignCoder {
     return coded;
   }
 
-  /// Of bit `at` of a row in a Window; packs_ are the rows around it.
+  /// Codes bit `at` of a row in a Window; packs_ holds the rows around it.
   template <SignExchange Exchange>
   bool codeSign(Exchange& exchange, const uint16_t* here, unsigned newAxes, int at, bool actual) {
     const auto& n = neighbourhoods_[newAxes];
@@ -92,18 +94,18 @@ class SignCoder {
         &near_[table.near + (diamond << table.siblings | first >> (kSiblings - table.siblings))],
         &counts_[counted << kSiblings | first],
         &wide_[counted << kWideBits | siblings / 2 << 5 | far / 2]};
-    // Positive weights less negative ones, in 1/256 of log-odds.
+    // Positive weights minus negative ones, in 1/256 of log-odds.
     const int estimate = (2 * weight - n.weight) * (256 / Nearby::kOne);
     return Mixer<kInputs>::template bit<255, 12>(exchange.coder(), actual, contexts,
                                                  weights_[counted], estimate);
   }
 
   const typename Nearby::All& neighbourhoods_ = Nearby::all();
-  RowPacks<D> packs_;  // around the row in work
-  /// Where the contexts of a set of fresh axes begin in the tables.
+  RowPacks<D> packs_;  // around the current row
+  /// Where the contexts of a set of new axes begin in the tables.
   struct Table {
     uint32_t near = 0, counted = 0;
-    int siblings = 0;  // in the contexts that are near
+    int siblings = 0;  // how many siblings the contexts of near_ include
   };
   std::array<Table, kSets> tables_{};
   std::vector<BitModel> near_, counts_, wide_;

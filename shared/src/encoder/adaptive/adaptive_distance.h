@@ -1,4 +1,5 @@
-// How far the surface of an adaptive mesh lies from the source's, both ways, to first order.
+// The distance between an adaptive mesh's surface and the source's, in both directions, to first
+// order.
 #pragma once
 
 #include <cmath>
@@ -9,9 +10,9 @@
 
 namespace isostar {
 
-/// Distances in grid steps. From the source: at each of its vertices, how far the decoded field
-/// says that its surface is. From the decoded surface likewise, where the source has no vertex on
-/// the same edge.
+/// Distances are in grid steps. From the source: at each of its vertices, the distance to the zero
+/// of the decoded field. From the decoded surface: the same with the source's field, at those
+/// vertices on whose edge the source has none.
 template <int D>
 class AdaptiveDistance {
  public:
@@ -21,8 +22,8 @@ class AdaptiveDistance {
                    const AdaptiveLevel<D>& decoded)
       : plan_(plan), field_(field), decoded_(decoded), table_(decoded.signs.table()) {}
 
-  /// Calls visit(point in samples, distance) for the vertices of the source's surface, each
-  /// `stride`th.
+  /// Calls visit(point, distance) for every `stride`th vertex of the source's surface. Points are
+  /// in samples.
   template <class Visit>
   void fromSource(std::size_t stride, Visit visit) const {
     for (std::size_t i = 0; i < plan_.crossings().size(); i += stride) {
@@ -41,7 +42,8 @@ class AdaptiveDistance {
     }
   }
 
-  /// The same for those vertices of the decoded surface that lie where the source has none.
+  /// Calls visit(point, distance) for the vertices of the decoded surface on edges where the source
+  /// has none.
   template <class Visit>
   void fromDecoded(Visit visit) const {
     forCrossedRows(
@@ -65,15 +67,15 @@ class AdaptiveDistance {
   }
 
  private:
-  /// 0 where nothing is known.
+  /// The decoded scalar; 0 if it is not known.
   [[nodiscard]] double value(const Coordinates<D>& v) const {
     const auto& scalars = decoded_.scalars.at(table_.brickIndexOf(v));
     const std::size_t number = numberOf<D>(v);
     return scalars.knows(number) ? scalars.value[number] : 0;
   }
 
-  /// From a point of an edge to where a field is 0, by its value and gradient there; far where they
-  /// are not known.
+  /// The distance from a point of an edge, at `at` from its lower end, to the zero of a field, from
+  /// the field's value and gradient there. kFar if they are not known.
   template <class Field>
   double offset(const Coordinates<D>& from, int axis, double at, Field field) const {
     constexpr double kFar = 4;

@@ -1,10 +1,10 @@
+// Decides which cells of an adaptive mesh are kept, and the scalars of coarse vertices.
 #include "encoder/adaptive/adaptive_plan.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "encoder/core/source_distance.h"
-#include "scalars/crossings.h"
 
 namespace isostar {
 
@@ -13,7 +13,7 @@ AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header,
                               const Signs<D>& finest)
     : field_(field), finestLevel_(header.finestLevel()) {
   for (int a = 0; a < D; ++a) unit_[a] = edgeLength(header.placement, 1u << a);
-  findCrossings(finest);
+  crossings_ = findCrossings(field, unit_, finest);
   nearest_.resize(static_cast<std::size_t>(finestLevel_) + 1);
   forbidden_.resize(nearest_.size());
   for (int level = 0; level <= finestLevel_; ++level) {
@@ -23,36 +23,7 @@ AdaptivePlan<D>::AdaptivePlan(const GridField<D>& field, const Header& header,
   }
 }
 
-template <int D>
-void AdaptivePlan<D>::findCrossings(const Signs<D>& finest) {
-  forCrossedRows(
-      finest, activeBricks(finest), false, [](std::size_t) {},
-      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-        const int axis = std::countr_zero(axes);
-        for (; crossed != 0; crossed &= crossed - 1) {
-          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-          Crossing c{ends.even, axis, 0, {}, {}, 0};
-          Coordinates<D> to = ends.odd;
-          if (to[axis] < c.from[axis]) std::swap(c.from, to);
-          const double low = std::abs(field_.scalar(c.from)), high = std::abs(field_.scalar(to));
-          c.at = low / (low + high);
-          for (int a = 0; a < D; ++a) {
-            c.position[a] = c.from[a] + (a == axis ? c.at : 0);
-            const auto along = static_cast<std::size_t>(a);
-            const double slope = a == axis ? field_.scalar(to) - field_.scalar(c.from)
-                                           : (1 - c.at) * field_.slope(c.from, along) +
-                                                 c.at * field_.slope(to, along);
-            c.normal[a] = slope / unit_[a];
-            c.gradient += c.normal[a] * c.normal[a];
-          }
-          c.gradient = std::sqrt(c.gradient);
-          for (double& n : c.normal) n /= c.gradient;
-          crossings_.push_back(c);
-        }
-      });
-}
-
-/// Each crossing is offered to the vertices within two steps.
+/// Each crossing is compared with the vertices within two steps of it.
 template <int D>
 void AdaptivePlan<D>::findNearest(int level) {
   const auto grid = lattice(level);
@@ -84,8 +55,8 @@ void AdaptivePlan<D>::findNearest(int level) {
   }
 }
 
-/// From a vertex to the surface, in grid steps; as if the surface were plane near by. Infinite
-/// where none is near.
+/// The distance from a vertex to the surface in grid steps. Near the surface it is that to a plane.
+/// Infinite if no crossing is near.
 template <int D>
 double AdaptivePlan<D>::distance(int level, const Coordinates<D>& v) const {
   constexpr double kPlane = 1.5;
@@ -126,13 +97,13 @@ bool AdaptivePlan<D>::splittable(int level, const Coordinates<D>& cell) const {
 }
 
 /// At a point of a cell: the linear function of the simplex that holds it, and the size of its
-/// gradient by grid step.
+/// gradient per grid step.
 template <int D>
 std::pair<double, double> AdaptivePlan<D>::linear(int level, const Coordinates<D>& cell,
                                                   const Point& p) const {
   const auto grid = lattice(level);
   std::array<double, D> along;   // 0 at the even corner, 1 at the odd one
-  std::array<double, D> length;  // of the cell
+  std::array<double, D> length;  // of the cell, in grid steps
   Coordinates<D> v;
   std::array<int, D> order;
   for (int a = 0; a < D; ++a) {
@@ -164,8 +135,8 @@ bool AdaptivePlan<D>::surfaceFits(int level, const Coordinates<D>& cell, const P
   return std::abs(value) <= distance * gradient;
 }
 
-/// Has the linear function the field's sign at all samples of the cell further from the surface
-/// than allowed?
+/// Does the linear function have the field's sign at all those samples of the cell that are further
+/// from the surface than `allowed`?
 template <int D>
 bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double allowed) const {
   const auto grid = lattice(level);
@@ -187,7 +158,7 @@ bool AdaptivePlan<D>::signsFit(int level, const Coordinates<D>& cell, double all
 }
 
 template <int D>
-void AdaptivePlan<D>::keep(double allowed) {
+void AdaptivePlan<D>::findKeptCells(double allowed) {
   cells_.assign(nearest_.size(), {});
   for (int level = 0; level < finestLevel_; ++level) {
     const auto grid = lattice(level);

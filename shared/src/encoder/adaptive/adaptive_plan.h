@@ -1,31 +1,23 @@
-// What the encoder decides about an adaptive mesh (§4.3, §6): which cells stay whole, and the
-// scalars of its vertices.
+// The encoder's plan of an adaptive mesh (§4.3, §6): which cells are kept, and the scalars of its
+// vertices.
 #pragma once
 
 #include <vector>
 
-#include "encoder/core/field.h"
+#include "encoder/adaptive/source_crossings.h"
 
 namespace isostar {
 
-/// Cells stay whole where the linear function on their simplices, from scalars chosen for it, keeps
-/// the source's surface within the distance allowed. Scalars of coarse vertices are chosen anew:
-/// the distance to the surface times the gradient where it is nearest, since a sample may be far
-/// from linear between there and here.
+/// A cell is kept if the linear functions of its simplices keep the source's surface within the
+/// allowed distance. Scalars of coarse vertices are not those of their samples, which may be far
+/// from linear between there and the surface: they are the distance to the surface times the
+/// gradient at its nearest point.
 template <int D>
 class AdaptivePlan {
  public:
-  using Point = std::array<double, D>;
+  using Point = typename SourceCrossing<D>::Point;
 
-  /// A vertex of the source's surface, on an axis edge of the finest grid.
-  struct Crossing {
-    Coordinates<D> from;  // the edge's lower end
-    int axis;
-    double at;        // 0 … 1 along the edge
-    Point position;   // samples
-    Point normal;     // unit, in steps along the smallest spacing
-    double gradient;  // of the field, by such a step
-  };
+  using Crossing = SourceCrossing<D>;
 
   AdaptivePlan(const GridField<D>& field, const Header& header, const Signs<D>& finest);
 
@@ -36,17 +28,16 @@ class AdaptivePlan {
     return Lattice<D>(field_.last(), int32_t{1} << (finestLevel_ - level));
   }
 
-  /// The scalar of a vertex of an octave, in the field's units; positive exactly where the field
-  /// is.
+  /// The scalar of a vertex of a level, in the field's units. Its sign is always the field's.
   [[nodiscard]] double scalar(int level, const Coordinates<D>& v) const;
 
-  /// Finds the cells that may stay whole for a distance in grid steps.
-  void keep(double distance);
-  /// On the lattice of `level`: the centres of the next coarser octave's cells that stay whole.
+  /// Finds the cells that may be kept for an allowed distance in grid steps.
+  void findKeptCells(double allowed);
+  /// The centres of those cells of the next coarser level that are kept, on the lattice of `level`.
   [[nodiscard]] Signs<D> centres(int level) const;
-  /// Has the largest whole cells around a point (in samples), as far as `reach` of their size,
-  /// split. False where there are none. A whole cell's absent vertices reach half a cell into its
-  /// neighbours, and by those further.
+  /// Splits the largest kept cells around a point (in samples), within `reach` times their size,
+  /// from the next call of findKeptCells() on. False if there are none. The absent vertices of a
+  /// kept cell extend half a cell into its neighbours, and those that depend on them further.
   bool forbid(const Point& p, double reach);
 
  private:
@@ -60,7 +51,6 @@ class AdaptivePlan {
       at = at * static_cast<std::size_t>(lattice.last[a] + 1) + static_cast<std::size_t>(v[a]);
     return at;
   }
-  void findCrossings(const Signs<D>& finest);
   void findNearest(int level);
   [[nodiscard]] double distance(int level, const Coordinates<D>& v) const;
   [[nodiscard]] bool splittable(int level, const Coordinates<D>& cell) const;
@@ -72,10 +62,10 @@ class AdaptivePlan {
 
   const GridField<D>& field_;
   int finestLevel_;
-  Point unit_;  // of an edge along an axis, in steps along the smallest spacing
+  Point unit_;  // the length of an edge by axis, in grid steps along the smallest spacing
   std::vector<Crossing> crossings_;
-  std::vector<std::vector<uint32_t>> nearest_;  // by octave and vertex: a crossing
-  std::vector<std::vector<uint8_t>> cells_;     // by octave and cell's lower vertex
+  std::vector<std::vector<uint32_t>> nearest_;  // by level and vertex: the number of a crossing
+  std::vector<std::vector<uint8_t>> cells_;     // by level and the cell's lower vertex
   std::vector<std::vector<uint8_t>> forbidden_;
 };
 

@@ -1,4 +1,4 @@
-// Tells the layers of an adaptive stream.
+// Writes the layers of an adaptive stream.
 #pragma once
 
 #include "coding/adaptive/adaptive_field.h"
@@ -9,19 +9,19 @@
 
 namespace isostar {
 
-/// One try at a stream: the plan's mesh, told.
+/// One attempt at a stream: codes the plan's mesh.
 template <int D>
 class AdaptiveWriter {
  public:
   AdaptiveWriter(const AdaptivePlan<D>& plan, const GridField<D>& field, const Header& header,
                  const SourceDistance<D>& distance, const std::vector<Signs<D>>& actual,
-                 bool states)
+                 bool writesErrors)
       : plan_(plan),
         field_(field),
         header_(header),
         distance_(distance),
         actual_(actual),
-        states_(states),
+        writesErrors_(writesErrors),
         planned_(plan, header),
         decoded_(header.base<D>()) {}
 
@@ -30,11 +30,12 @@ class AdaptiveWriter {
       const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
       const Signs<D> centres = level == 0 ? Signs<D>() : plan_.centres(level);
       code({.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement}, level, actual,
-           [&](auto& exchange) { exchange.keep(centres); });
+           [&](auto& exchange) { exchange.setKept(centres); });
     }
   }
 
-  /// Scalars of all octaves, such that quantization moves the surface by no more than a distance.
+  /// Codes the scalars of all levels, so that quantization moves the surface by at most `distance`
+  /// grid steps.
   void geometry(double distance) {
     for (int level = 0; level <= plan_.finestLevel(); ++level) {
       const Signs<D>& actual = actual_[static_cast<std::size_t>(level)];
@@ -54,7 +55,7 @@ class AdaptiveWriter {
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
 
  private:
-  /// prepare(exchange): what a layer needs beside signs and scalars.
+  /// prepare(exchange) gives the exchange what a layer needs beside signs and scalars.
   template <class Prepare>
   void code(const GeometryPass<D>& pass, int level, const Signs<D>& actual, Prepare prepare) {
     layers_.add(
@@ -63,13 +64,13 @@ class AdaptiveWriter {
           prepare(exchange);
           decoded_.code(exchange, pass, header_);
         },
-        [&] { return states_ ? error() : 0; });
+        [&] { return writesErrors_ ? error() : 0; });
   }
   void code(const GeometryPass<D>& pass, int level, const Signs<D>& actual) {
     code(pass, level, actual, [](auto&) {});
   }
 
-  /// RMS distance of what a decoder shows now.
+  /// RMS distance of the surface that a decoder shows now, in grid steps.
   [[nodiscard]] double error() const {
     if (decoded_.mesh.level() < plan_.finestLevel())
       return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.filter});
@@ -89,8 +90,8 @@ class AdaptiveWriter {
   const GridField<D>& field_;
   const Header& header_;
   const SourceDistance<D>& distance_;
-  const std::vector<Signs<D>>& actual_;  // by octave
-  const bool states_;                    // errors in heads; a try has no need of them
+  const std::vector<Signs<D>>& actual_;  // by level
+  const bool writesErrors_;              // into the layers' heads; attempts do not need it
   PlannedField<D> planned_;
   AdaptiveField<D> decoded_;
   LayerBytes layers_;

@@ -1,4 +1,4 @@
-// What the scalars of an adaptive plan are in a stream.
+// The scalars of an adaptive plan, as the encoder's exchange queries them.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace isostar {
 
-/// The scalars that a plan has chosen, as the quanta of one octave.
+/// The scalars that a plan has chosen, in quantization steps, on one level at a time.
 template <int D>
 class PlannedField {
  public:
@@ -21,7 +21,7 @@ class PlannedField {
     return steps(vertexOf<D>(signs_->table().brick(brickIndex),
                              r * kBrickSide + static_cast<std::size_t>(x)));
   }
-  /// The mean difference along crossing axis edges, 4 log2 of quanta.
+  /// The mean difference along crossing axis edges: 4 log2 of quantization steps.
   [[nodiscard]] int gradient(std::size_t brickIndex) const {
     double sum = 0;
     int count = 0;

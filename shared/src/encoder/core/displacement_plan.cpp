@@ -1,3 +1,4 @@
+// Finds the displacements of a pass, and the error that they leave.
 #include "encoder/core/displacement_plan.h"
 
 #include <cmath>
@@ -8,7 +9,7 @@
 namespace isostar {
 namespace {
 
-/// A sum of errors, in grid steps, by what is to be displaced.
+/// The mean error, in grid steps, of one cube.
 struct Mean {
   float sum = 0;
   uint32_t count = 0;
@@ -25,13 +26,13 @@ struct Mean {
   }
 };
 
-/// Means by block, in bricks that are made as they are asked for.
+/// Means by brick index and block; bricks are made on demand.
 template <int D>
 class Means {
  public:
   using Brick = std::array<Mean, Displacements<D>::kBlocks>;
 
-  explicit Means(std::size_t brickIndices) : at_(brickIndices, 0) {}
+  explicit Means(std::size_t tableSize) : at_(tableSize, 0) {}
   Mean& at(std::size_t brickIndex, std::size_t block) {
     if (at_[brickIndex] == 0) {
       bricks_.emplace_back();
@@ -48,7 +49,7 @@ class Means {
   std::vector<Brick> bricks_;
 };
 
-/// Of a block: the one at the lower corner of its cube.
+/// The block at the lower corner of a block's cube.
 template <int D>
 std::size_t cubeOf(std::size_t block, int log2Side) {
   std::size_t corner = 0, stride = 1;
@@ -120,7 +121,7 @@ typename DisplacementPlan<D>::Edge DisplacementPlan<D>::edgeOf(const GridField<D
   }
   const auto& end = positive ? ends.even : ends.odd;
   const std::size_t number = numberOf<D>(end);
-  edge.positivePosition = static_cast<uint32_t>(signs.table().brickIndexOf(end));
+  edge.positiveBrick = static_cast<uint32_t>(signs.table().brickIndexOf(end));
   edge.positiveBlock = static_cast<uint8_t>(
       Displacements<D>::block(number / kBrickSide, static_cast<int>(number % kBrickSide)));
   return edge;
@@ -140,7 +141,7 @@ template <int D>
 template <class Visit>
 void DisplacementPlan<D>::forEachError(const Displacements<D>& coded, Visit visit) const {
   constexpr double kSlope = Displacements<D>::kPlaneSlope,
-                   kLeast = kSlope / 8;  // as completion.h has it
+                   kLeast = kSlope / 8;  // the same as in completion.h
   const auto& table = signs_.table();
   const bool displaces = coded.tableSize() != 0;
   DisplacementWindow<D> displaced;
@@ -204,7 +205,7 @@ typename DisplacementPlan<D>::Next DisplacementPlan<D>::next(const Displacements
   forEachError(coded, [&](const Edge& edge, double error) {
     squares += error * error;
     ++edges;
-    means.at(edge.positivePosition, cubeOf<D>(edge.positiveBlock, pass.log2Side)).add(error);
+    means.at(edge.positiveBrick, cubeOf<D>(edge.positiveBlock, pass.log2Side)).add(error);
   });
   Next next{Displacements<D>(active_.size()),
             edges == 0 ? 0 : std::sqrt(squares / static_cast<double>(edges))};

@@ -1,4 +1,4 @@
-// Only the encoder's: how far blocks of vertices are to be displaced.
+// The encoder's plan of displacements: by how much blocks of vertices are to be displaced.
 #pragma once
 
 #include "encoder/core/field.h"
@@ -8,55 +8,58 @@
 
 namespace isostar {
 
-/// Compares where the signs put the source's surface on each crossing axis edge, and where it is.
+/// Compares, on each crossing axis edge, where the signs locate the surface with where the source's
+/// surface is.
 template <int D>
 class DisplacementPlan {
  public:
-  /// Signs and bricks are borrowed; `active` as of activeBricks(signs).
+  /// `active`: as of activeBricks(signs). Signs and bricks must outlive the plan.
   DisplacementPlan(const GridField<D>& field, const Signs<D>& signs,
                    const std::vector<uint8_t>& active, SmoothingFilter filter);
 
   struct Next {
-    Displacements<D> steps;  // of the pass: for each cube the mean over the edges with their
-                             // positive end in it, at the block at its lower corner
-    double error;            // before it
+    Displacements<D> steps;  // in steps of the pass: for each cube the mean over the edges whose
+                             // positive end it holds, stored at the block at its lower corner
+    double error;            // before the pass
   };
-  /// RMS distance across the surface on crossed axis edges, grid steps.
+  /// RMS distance on crossing axis edges, across the surface, in grid steps.
   [[nodiscard]] double error(const Displacements<D>& coded) const;
-  /// What a pass should add to what has been told.
+  /// What a pass should add to the coded displacements.
   [[nodiscard]] Next next(const Displacements<D>& coded, const DisplacementPass& pass) const;
-  /// What will have been told after a pass with such steps.
+  /// The coded displacements after a pass with these steps.
   [[nodiscard]] Displacements<D> reached(const Displacements<D>& coded,
                                          const Displacements<D>& steps,
                                          const DisplacementPass& pass) const;
 
  private:
-  /// A crossing axis edge; of pairs the one of the even end comes first. All that passes ask of it,
-  /// so that each need not find it anew.
+  /// A crossing axis edge, with all that a pass needs of it, so that it is found only once. In
+  /// pairs, the even end comes first.
   struct Edge {
-    std::array<int32_t, 2> estimates;  // of a ShapeEstimate at its ends
-    std::array<uint16_t, 2> vertices;  // in its brick; kBeyond: in the next one along its axis
-    float crossing;  // from the even end, 0 … 1; -1 less that if the even end is negative
-    uint32_t positivePosition;
+    std::array<int32_t, 2> estimates;  // of a ShapeEstimate, at the ends
+    std::array<uint16_t, 2> vertices;  // their numbers in the edge's brick; kBeyond: in the next
+                                       // brick along the edge's axis
+    float crossing;  // from the even end, 0 … 1; -1 minus that if the even end is negative
+    uint32_t positiveBrick;
     uint8_t positiveBlock, axis;
   };
   static constexpr uint16_t kBeyond = UINT16_MAX;
 
-  /// Its estimates are still to come.
+  /// An edge without its estimates, which the caller adds.
   [[nodiscard]] static Edge edgeOf(const GridField<D>& field, const Signs<D>& signs,
                                    const EdgeEnds<D>& ends, const Coordinates<D>& brick, int axis);
-  /// By how many units of a ShapeEstimate an end is displaced.
+  /// The displacement at an end, in the unit of a ShapeEstimate.
   [[nodiscard]] static int32_t displacementAt(const DisplacementWindow<D>& displaced,
                                               const Edge& edge, std::size_t end);
-  /// Calls visit(edge, by how many steps the surface lies too near to its positive end) for each.
+  /// Calls visit(edge, error) for each edge. The error says by how many grid steps the surface lies
+  /// too near to the positive end.
   template <class Visit>
   void forEachError(const Displacements<D>& coded, Visit visit) const;
 
   const Signs<D>& signs_;
   const std::vector<uint8_t>& active_;
-  std::vector<Edge> edges_;         // brick by brick
-  std::vector<std::size_t> first_;  // of each place, and the end of the last
-  Displacements<D> blocks_;         // 1 where a block has a positive end of one
+  std::vector<Edge> edges_;         // in order of brick indices
+  std::vector<std::size_t> first_;  // by brick index: its first edge; then the number of all edges
+  Displacements<D> blocks_;         // 1 where a block has the positive end of an edge
 };
 
 }  // namespace isostar

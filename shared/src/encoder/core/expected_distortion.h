@@ -1,4 +1,5 @@
-// How far the crossings around a vertex are off for each value that its scalar may be coded as.
+// The distortion of the crossings around a vertex, as a function of the value that is coded for its
+// scalar.
 #pragma once
 
 #include <array>
@@ -11,16 +12,17 @@
 
 namespace isostar {
 
-/// Far ends that are coded already count as coded, later ones as they will probably be coded.
+/// Far ends that are already coded count as coded, others as they will probably be coded.
 template <int D>
 class ExpectedDistortion {
  public:
-  /// Field and header outlive it.
+  /// Field and header must outlive it.
   ExpectedDistortion(const GridField<D>& field, const Header& header)
       : field_(field), header_(header) {}
 
-  /// Of vertex x in row r of a brick. `codedAt(axis, ahead)`: what Scalars know of the neighbour
-  /// ahead on an axis, or before; `allowed`: what the pass allows, by edge as in FarEnds.
+  /// The distortion around vertex x in row r of a brick. `codedAt(axis, ahead)`: what Scalars store
+  /// for the next vertex along an axis, or for the previous one. `allowed`: what the pass allows,
+  /// by edge as in FarEnds.
   template <class CodedAt, class Allowed>
   [[nodiscard]] CrossingDistortion<D> around(std::size_t brickIndex, std::size_t r, int x,
                                              CodedAt codedAt, const Allowed& allowed) const {
@@ -29,7 +31,8 @@ class ExpectedDistortion {
     const double positive = 2 * header_.positiveOffset - 1,
                  negative = 2 * header_.negativeOffset - 1, offset = own > 0 ? negative : positive;
     const auto neighbours = field_.around(brickIndex, r, x);
-    std::array<double, D> slopes;  // of the normal, squared; steps as long as they are
+    // Squared components of the normal, in units of what the pass allows.
+    std::array<double, D> slopes;
     double all = std::numeric_limits<double>::min();
     for (std::size_t a = 0; a < D; ++a) {
       const double slope =
@@ -53,14 +56,14 @@ class ExpectedDistortion {
 
  private:
   struct FarEnd {
-    double size;    // half quanta
-    double leaves;  // of what the pass allows
+    double size;    // half quantization steps
+    double leaves;  // the error left to this vertex, in units of what the pass allows
   };
-  /// What will be told of a far end that comes later, if halving goes by this edge alone; it will
-  /// have an aim of its own.
+  /// What will be coded for a far end that comes later, if its refinement depended on this edge
+  /// only. RDOQ may then change that value as well.
   [[nodiscard]] static FarEnd expected(int32_t middle, double actual, double offset, double size,
                                        double part) {
-    constexpr double kRoom = 0.8, kTrust = 0.7;  // measured to be best
+    constexpr double kRoom = 0.8, kTrust = 0.7;  // measured as the best values
     double at = middle, width = 2.0 * (middle & -middle);
     const auto moves = [&] {
       return width > 2 && size * width > part * (size + at + offset) * (size + at + offset);

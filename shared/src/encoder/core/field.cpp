@@ -1,3 +1,4 @@
+// The source's signs, gradients and precision, computed from its samples.
 #include "encoder/core/field.h"
 
 #include <algorithm>
@@ -12,13 +13,13 @@
 namespace isostar {
 namespace {
 
-/// Are samples whole numbers of a step, each on the right side of the isovalue also as such a
-/// number?
+/// Are all samples whole numbers of a step, and on the same side of the isovalue if decoded from
+/// such a number?
 class WholeSamples {
  public:
-  /// `perStep`: so many steps are 1.
+  /// `perStep`: the number of steps in 1.
   WholeSamples(double perStep, double isovalue) : perStep_(perStep), isovalue_(isovalue) {}
-  void see(double sample) {
+  void add(double sample) {
     if (!all_) return;
     const double n = std::round(sample * perStep_);
     all_ = static_cast<float>(n / perStep_) == sample &&
@@ -31,14 +32,15 @@ class WholeSamples {
   bool all_ = true;
 };
 
-/// The largest float that is not above a value: s > v where s > floorOf(v), for each float s.
+/// The largest float that is not above a value. For every float s, s > v exactly if s > floorOf(v).
 float floorOf(double v) {
   constexpr float kMost = std::numeric_limits<float>::max();
-  const auto near = static_cast<float>(std::clamp(v, -double{kMost}, double{kMost}));
-  return double{near} > v ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+  const auto nearest = static_cast<float>(std::clamp(v, -double{kMost}, double{kMost}));
+  return double{nearest} > v ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
+                             : nearest;
 }
 
-/// Which of eight samples are above a threshold, bit x for the x-th.
+/// Which of eight samples are above a threshold; bit x is sample x.
 unsigned above(const float* samples, float threshold) {
   using Four [[gnu::vector_size(16)]] = float;
   std::array<Four, 2> four;
@@ -47,6 +49,16 @@ unsigned above(const float* samples, float threshold) {
   const Lanes bits =
       ((four[0] > least) & Lanes{1, 2, 4, 8}) | ((four[1] > least) & Lanes{16, 32, 64, 128});
   return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
+}
+
+/// The median of some differences: 4 log2 of quantization steps; 0 if there are none. Reorders
+/// them.
+int medianLog2(std::span<float> differences, double quantizationStep) {
+  if (differences.empty()) return 0;
+  const auto median = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), median, differences.end());
+  return static_cast<int>(std::clamp(
+      std::lround(4 * std::log2(std::max(1.0, double{*median} / quantizationStep))), 0L, 120L));
 }
 
 }  // namespace
@@ -60,24 +72,25 @@ bool sensible(std::span<const float> samples, const Coordinates<D>& size, double
     if (count > samples.size()) return false;
   }
   if (count != samples.size() || !std::isfinite(isovalue)) return false;
-  // Counted, not searched for: several at once.
-  uint32_t strange = 0;
-  for (const float s : samples) strange += std::abs(s) <= std::numeric_limits<float>::max() ? 0 : 1;
-  return strange == 0;
+  // Counting has no early exit, so that several samples are processed at once.
+  uint32_t invalid = 0;
+  for (const float s : samples) invalid += std::abs(s) <= std::numeric_limits<float>::max() ? 0 : 1;
+  return invalid == 0;
 }
 
 template <int D>
 Signs<D> GridField<D>::signs() const {
   Signs<D> signs(Lattice<D>(last_, 1));
-  // A box without extent on an axis has no cells, and so no surface.
+  // A box without extent on an axis has no cells and so no surface.
   if (std::ranges::any_of(last_, [](int32_t last) { return last == 0; })) return signs;
   const float threshold = floorOf(isovalue_);
   const auto across = static_cast<std::size_t>(table_.count(0));
-  std::vector<Brick<D>> bricks(
-      across);  // side by side on axis 0, so that samples are read in their order
+  // Adjacent on axis 0, so that samples are read in their order in memory.
+  std::vector<Brick<D>> bricks(across);
   for (std::size_t brickIndex = 0; brickIndex < table_.total(); brickIndex += across) {
     for (std::size_t r = 0; r < bricks[0].rows.size(); ++r) {
-      // Beyond the lattice the last plane goes on, so that a uniform brick at the box's end is one.
+      // Beyond the lattice its last plane is repeated, so that a uniform brick at the box's end is
+      // uniform.
       Coordinates<D> v = vertex(table_.brick(brickIndex), r);
       for (int a = 1; a < D; ++a) v[a] = std::min(v[a], last_[a]);
       const float* row = &samples_[at(v)];
@@ -109,8 +122,8 @@ Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs
       tube.forEach([&](int, std::size_t r, int x) {
         const double sample = samples_[at(vertex(tube.at(), r)) + static_cast<std::size_t>(x)];
         largest = std::max(largest, std::abs(sample - isovalue_));
-        ones.see(sample);
-        bytes.see(sample);
+        ones.add(sample);
+        bytes.add(sample);
       });
     }
   }
@@ -129,7 +142,7 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs,
   const auto brick = table_.brick(brickIndex);
   Window<D> window;
   window.load(signs, brick);
-  // Vertices from the plane before the brick to its last, as far as the lattice goes.
+  // The vertices from the plane before the brick to its last plane, as far as the lattice extends.
   Coordinates<D> from, to;
   for (int a = 0; a < D; ++a) {
     from[a] = brick[a] == 0 ? 0 : -1;
@@ -161,13 +174,7 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs,
     for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
     if (a == D) break;
   }
-  if (count == 0) return 0;
-  std::nth_element(differences.begin(), differences.begin() + count / 2,
-                   differences.begin() + count);
-  return static_cast<int>(std::clamp(
-      std::lround(
-          4 * std::log2(std::max(1.0, double{differences[count / 2]} / header.quantizationStep))),
-      0L, 120L));
+  return medianLog2(std::span(differences).first(count), header.quantizationStep);
 }
 
 template bool sensible<2>(std::span<const float>, const Coordinates<2>&, double);

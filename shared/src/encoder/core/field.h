@@ -1,5 +1,5 @@
-// The source as questions: signs on an octave, scalars on the finest (§3, definitions). Only the
-// encoder has one.
+// The source's samples, queried as signs on the finest level and as scalars (§3). Only the encoder
+// has them.
 #pragma once
 
 #include <cmath>
@@ -14,18 +14,18 @@
 
 namespace isostar {
 
-/// Is there a surface to ask for? As many samples as the size says, and all finite.
+/// Are there as many samples as the size says, all of them finite?
 template <int D>
 [[nodiscard]] bool sensible(std::span<const float> samples, const Coordinates<D>& size,
                             double isovalue);
 
-/// What samples ask of a quantum.
+/// What the samples require of a quantization step.
 struct Precision {
-  double largest = 0;              // |scalar|; 0 where there is none
-  bool ones = true, bytes = true;  // are samples whole numbers, also of 1/255, each on the right
-                                   // side of the isovalue?
+  double largest = 0;              // |scalar|; 0 if there are no samples
+  bool ones = true, bytes = true;  // are all samples whole numbers, of 1 or of 1/255, each on the
+                                   // right side of the isovalue?
 
-  /// Adds what another isovalue asks.
+  /// Adds the requirements of another isovalue, which lies `apart` from this one.
   void add(const Precision& other, double apart) {
     largest = std::max(largest, other.largest > 0 ? other.largest + std::abs(apart) : 0);
     ones = ones && other.ones;
@@ -34,7 +34,7 @@ struct Precision {
   void fix(Header& header) const;
 };
 
-/// Samples on a regular grid, x fastest, borrowed.
+/// Samples on a regular grid, the first axis being the fastest. Samples must outlive it.
 template <int D>
 class GridField {
  public:
@@ -52,7 +52,7 @@ class GridField {
   [[nodiscard]] double scalar(const Coordinates<D>& sample) const {
     return double{samples_[at(sample)]} - isovalue_;
   }
-  /// Along an axis, per sample; of one side where the other is beyond the box.
+  /// Along an axis, per sample. One-sided at the box's ends.
   [[nodiscard]] double slope(const Coordinates<D>& sample, std::size_t axis) const {
     const std::size_t up = sample[axis] < last_[axis] ? stride_[axis] : 0,
                       down = sample[axis] > 0 ? stride_[axis] : 0, here = at(sample);
@@ -60,8 +60,8 @@ class GridField {
            (up != 0 && down != 0 ? 0.5 : 1);
   }
   [[nodiscard]] const Coordinates<D>& last() const { return last_; }
-  /// Where the edge along an axis between two samples of different signs is crossed, 0 … 1 from
-  /// `from` to `to`: one of the places if there are several.
+  /// Where the edge along an axis between two samples of different signs crosses the surface, 0 … 1
+  /// from `from` to `to`. If there are several crossings, one of them.
   [[nodiscard]] double crossing(const Coordinates<D>& from, const Coordinates<D>& to,
                                 std::size_t axis) const {
     auto low = from, high = to;
@@ -75,27 +75,27 @@ class GridField {
     return (low[axis] - from[axis] + at * (high[axis] - low[axis])) / (to[axis] - from[axis]);
   }
 
-  /// Signs on the finest octave, of all samples; coarsened() tells the others.
+  /// The signs of the finest level, of all samples. coarsened() gives those of other levels.
   [[nodiscard]] Signs<D> signs() const;
 
-  /// What the ends of crossing edges of the RBMT ask of a quantum; `active` as of
+  /// What the ends of the RBMT's crossing edges require of a quantization step. `active`: as of
   /// activeBricks(signs).
   [[nodiscard]] Precision precision(Polygonizer polygonizer, const Signs<D>& signs,
                                     const std::vector<uint8_t>& active) const;
-  /// Fixes what a quantum is for one isovalue alone.
+  /// Sets the quantization step for a single isovalue.
   void quantize(Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
     precision(header.polygonizer, signs, active).fix(header);
   }
 
-  /// The sample at vertex x in row r of a brick of the finest octave, less the isovalue.
+  /// The scalar of vertex x in row r of a brick of the finest level.
   [[nodiscard]] double scalar(std::size_t brickIndex, std::size_t r, int x) const {
     enter(brickIndex);
     std::size_t sample = lastStart_ + static_cast<std::size_t>(x);
     for (int a = 1; a < D; ++a, r /= kBrickSide) sample += (r % kBrickSide) * stride_[a];
     return double{samples_[sample]} - isovalue_;
   }
-  /// The neighbours of vertex x in row r of a brick on each axis, before and ahead, less the
-  /// isovalue; beyond the box the vertex itself.
+  /// The scalars of the neighbours of vertex x in row r of a brick, on each axis the previous and
+  /// the next one. Beyond the box it is the vertex's own scalar.
   [[nodiscard]] std::array<double, 2 * D> around(std::size_t brickIndex, std::size_t r,
                                                  int x) const {
     enter(brickIndex);
@@ -111,7 +111,7 @@ class GridField {
     }
     return scalars;
   }
-  /// In quanta of a header.
+  /// |scalar| in the header's quantization steps.
   [[nodiscard]] uint32_t magnitude(const Header& header, std::size_t brickIndex, std::size_t r,
                                    int x) const {
     double d = scalar(brickIndex, r, x);
@@ -121,8 +121,8 @@ class GridField {
           (d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
     return static_cast<uint32_t>(std::min(std::abs(d), double((1 << 29) - 1)));
   }
-  /// The median difference along the crossing axis edges in and next to a brick, 4 log2 of quanta.
-  /// `signs`: the finest octave's.
+  /// The median difference along the crossing axis edges in and next to a brick: 4 log2 of
+  /// quantization steps. `signs`: the finest level's.
   [[nodiscard]] int gradient(const Header& header, const Signs<D>& signs,
                              std::size_t brickIndex) const;
 
@@ -152,8 +152,7 @@ class GridField {
   Coordinates<D> last_{};
   std::array<std::size_t, D> stride_{};
   BrickTable<D> table_;
-  // The brick that was asked of last, its first vertex and sample: bricks are asked one after the
-  // other.
+  // The brick of the last query, with its first vertex and sample. Queries come brick by brick.
   mutable std::size_t lastBrick_ = SIZE_MAX, lastStart_ = 0;
   mutable Coordinates<D> lastFirst_{};
 };

@@ -1,4 +1,4 @@
-// The layers of a stream as an encoder makes them.
+// Writes the layers of a stream, with their heads.
 #pragma once
 
 #include "coding/exchange/exchange.h"
@@ -7,11 +7,11 @@
 
 namespace isostar {
 
-/// Both writers, of uniform and of adaptive streams, make them so.
+/// Used by the writers of uniform and of adaptive streams.
 class LayerBytes {
  public:
-  /// Appends what code(exchange) codes of the source, behind the fields of the pass where the kind
-  /// has one. error(), called afterwards, is the RMS distance of what a decoder shows then.
+  /// Appends a layer: the fields of the pass, if the kind has one, then what code(exchange) codes.
+  /// error() is called afterwards; it must return the RMS distance of what a decoder then shows.
   template <int D, class Field, class Code, class Error>
   void add(LayerHead head, const GeometryPass<D>& pass, const Signs<D>& actual, const Field& field,
            Code code, Error error) {

@@ -1,3 +1,4 @@
+// Polygonizes a source directly, without a stream.
 #include "encoder/core/quantized_field.h"
 #include "grid/refined_signs.h"
 #include "grid/tube.h"
@@ -9,10 +10,11 @@
 namespace isostar {
 namespace {
 
-constexpr Limits kUnlimited{UINT64_MAX, UINT64_MAX, UINT64_MAX};  // the caller's own samples
+/// The samples are the caller's own.
+constexpr Limits kUnlimited{UINT64_MAX, UINT64_MAX, UINT64_MAX};
 
-/// Calls make(surface) with the exact scalars of a source, and its domain's distances as a lossless
-/// stream has them.
+/// Calls make(surface) with the exact scalars of a source, and with its distances to the domain's
+/// boundary as a lossless stream has them.
 template <int D, class Make>
 Error withSource(std::span<const float> samples, std::span<const float> domain, Header header,
                  double isovalue, Polygonizer polygonizer, Make make) {

@@ -1,4 +1,4 @@
-// The source as one stream quantizes it, with what the encoder has decided for a pass.
+// The source in the quantization steps of one stream, with the encoder's decisions for a pass.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace isostar {
 
-/// A sample's distance to the domain's boundary in quanta of a stream, rounded down, as far as it
-/// matters.
+/// A sample's distance to the domain's boundary in the stream's steps, rounded down, within ± the
+/// header's domainReach().
 template <int D>
 [[nodiscard]] int32_t domainSteps(const GridField<D>& domain, const Header& header,
                                   std::size_t brickIndex, std::size_t r, int x) {
@@ -21,24 +21,24 @@ template <int D>
                  double(-reach), double(reach - 1)));
 }
 
-/// What an EncoderExchange asks of the source: scalars in the quantization steps of one stream, and
-/// the encoder's decisions for the pass in work.
+/// What an EncoderExchange queries: scalars in the quantization steps of one stream, and the
+/// encoder's decisions for the current pass.
 template <int D>
 class QuantizedField {
  public:
-  /// `domain`: of a trimmed stream.
+  /// `domain`: of a trimmed stream, otherwise null.
   QuantizedField(const GridField<D>& field, const Header& header, const Signs<D>& signs,
                  const GridField<D>* domain = nullptr)
       : field_(field), header_(header), signs_(signs), domain_(domain) {}
-  void select(std::vector<uint8_t> brickIndices) { selected_ = std::move(brickIndices); }
-  /// From now on, may values other than the actual ones be coded?
+  void select(std::vector<uint8_t> marked) { selected_ = std::move(marked); }
+  /// May values other than the actual ones be coded from now on?
   void setRdoq(bool on) { rdoq_ = on; }
-  /// What a pass of displacements is to tell, in its steps.
+  /// Sets the displacements to code in the next pass, in its steps.
   void displace(Displacements<D> steps) { displacements_ = std::move(steps); }
   [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
     return field_.magnitude(header_, brickIndex, r, x);
   }
-  /// As EncoderExchange::target() needs it; empty while the actual magnitudes are coded.
+  /// The distortion for EncoderExchange::rdoqTarget(). Empty while the actual magnitudes are coded.
   template <class CodedAt, class Allowed>
   [[nodiscard]] CrossingDistortion<D> distortion(std::size_t brickIndex, std::size_t r, int x,
                                                  CodedAt codedAt, const Allowed& allowed) const {

@@ -1,3 +1,4 @@
+// Samples a function on a grid.
 #include "isostar/isostar.h"
 
 namespace isostar {

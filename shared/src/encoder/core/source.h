@@ -1,4 +1,4 @@
-// What an encoder knows of the source's surface at one isovalue.
+// What the encoder knows of the source's surface at one isovalue.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ class Source {
         field_(samples, size, isovalue),
         signs_(field_.signs()),
         active_(activeBricks(signs_)) {}
-  Source(const Source&) = delete;  // its parts know each other
+  Source(const Source&) = delete;  // its parts refer to each other
 
   [[nodiscard]] double isovalue() const { return isovalue_; }
   [[nodiscard]] const GridField<D>& field() const { return field_; }
@@ -26,7 +26,8 @@ class Source {
   [[nodiscard]] Precision precision(Polygonizer polygonizer) const {
     return field_.precision(polygonizer, signs_, active_);
   }
-  /// To be called once, when the stream's quantum is fixed. `domain`: of a trimmed stream.
+  /// Must be called once, when the stream's quantization step is fixed. `domain`: of a trimmed
+  /// stream, otherwise null.
   void measureIn(const Header& stream, const GridField<D>* domain) {
     header_ = stream.at(isovalue_);
     quantized_.emplace(field_, header_, signs_, domain);

@@ -1,3 +1,4 @@
+// Measures the distance between the surface coded so far and the source's.
 #include "encoder/core/source_distance.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ double dot(const std::array<double, D>& a, const std::array<double, D>& b) {
   return sum;
 }
 
-/// Of the marked bricks, at most so many, evenly spread.
+/// At most `most` of the marked bricks, evenly spread.
 std::vector<uint8_t> someOf(const std::vector<uint8_t>& marked, std::size_t most) {
   const std::size_t stride =
       static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) / most + 1;
@@ -42,7 +43,7 @@ double edgeLength(const Placement& placement, unsigned axes) {
 template <int D>
 SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& header,
                                   const Signs<D>& signs, const std::vector<uint8_t>& active)
-    : field_(field), header_(header), near_(active.size(), 0) {
+    : field_(field), header_(header), bricks_(active.size(), 0) {
   constexpr std::size_t kBricks = 96;
   constexpr uint64_t kSamples = 1024;
   for (int a = 0; a < D; ++a) unit_[a] = edgeLength(header.placement, 1u << a);
@@ -65,7 +66,8 @@ SourceDistance<D>::SourceDistance(const GridField<D>& field, const Header& heade
             sample.position[a] =
                 (ends.even[a] + sample.crossing * (ends.odd[a] - ends.even[a])) * unit_[a];
           samples_.push_back(sample);
-          for (const auto& end : {ends.even, ends.odd}) near_[signs.table().brickIndexOf(end)] = 1;
+          for (const auto& end : {ends.even, ends.odd})
+            bricks_[signs.table().brickIndexOf(end)] = 1;
         }
       });
 }
@@ -81,14 +83,14 @@ typename SourceDistance<D>::Point SourceDistance<D>::normal(const EdgeEnds<D>& e
   return n;
 }
 
-/// What is known of a scalar, without its sign, in half quanta; `unit`: of the value.
+/// The size of a scalar in half quantization steps. `unit`: that of the value.
 template <int D>
 double SourceDistance<D>::size(int32_t value, double unit) const {
   return value >= 0 ? value * unit + 2 * header_.positiveOffset - 1
                     : 2 * header_.negativeOffset - 1 - value * unit;
 }
 
-/// Where the surface told so far crosses an edge, from its even end (0) to its odd one (1).
+/// Where the surface coded so far crosses an edge, from its even end (0) to its odd end (1).
 template <int D>
 double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& sample,
                                   double unit) const {
@@ -99,9 +101,9 @@ double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& 
 
 template <int D>
 double SourceDistance<D>::rms(const Signs<D>& coarse, const Hints<D>& hints) const {
-  constexpr std::size_t kSamples = 128;  // each searches for the nearest vertex
-  constexpr double kBeside =
-      0.75;  // steps of the octave: so far beside a vertex the surface goes on as a plane
+  constexpr std::size_t kSamples = 128;  // few, since each requires a search for the nearest vertex
+  constexpr double kBeside = 0.75;  // grid steps of the level: up to this distance beside a vertex,
+                                    // the surface is taken to continue as a plane
   if (samples_.empty()) return 0;
   const VertexCloud<D> cloud(coarse, unit_, hints);
   if (cloud.empty()) {
@@ -126,7 +128,7 @@ double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
   const auto& table = finest.table();
   const bool coded = scalars.tableSize() != 0;
   Scalars<D> estimated = coded ? Scalars<D>() : Scalars<D>(table.total());
-  if (!coded) estimateMissing(finest, near_, Members::AxisEnds, 0, estimated, hints);
+  if (!coded) estimateMissing(finest, bricks_, Members::AxisEnds, 0, estimated, hints);
   ScalarWindow<D> window;
   std::size_t loaded = SIZE_MAX;
   const double unit = std::ldexp(1, -finer);
@@ -146,7 +148,7 @@ std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& sig
                                                const Scalars<D>& scalars,
                                                const std::vector<uint8_t>& active) const {
   const auto& table = signs.table();
-  std::vector<uint8_t> brickIndices(active.size(), 0);
+  std::vector<uint8_t> marked(active.size(), 0);
   bool any = false;
   std::array<double, 1u << D> lengths{};
   for (unsigned axes = 1; axes < lengths.size(); ++axes)
@@ -163,15 +165,15 @@ std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& sig
           const double odd = size(window.value[static_cast<std::size_t>(ends.oddAt)]);
           const double trueEven = std::abs(field_.scalar(ends.even)),
                        trueOdd = std::abs(field_.scalar(ends.odd));
-          // The difference of even / (even + odd) and its truth, without divisions.
+          // The difference between even / (even + odd) and its actual value, without divisions.
           if (std::abs(even * trueOdd - odd * trueEven) <=
               allowed * (even + odd) * (trueEven + trueOdd))
             continue;
-          for (const auto& end : {ends.even, ends.odd}) brickIndices[table.brickIndexOf(end)] = 1;
+          for (const auto& end : {ends.even, ends.odd}) marked[table.brickIndexOf(end)] = 1;
           any = true;
         }
       });
-  return any ? brickIndices : std::vector<uint8_t>();
+  return any ? marked : std::vector<uint8_t>();
 }
 
 template class SourceDistance<2>;

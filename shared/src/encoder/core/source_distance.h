@@ -1,5 +1,5 @@
-// How far the surface told so far lies from the source's: what layers' heads state, and what holds
-// the bound.
+// The distance between the surface coded so far and the source's: layers' heads state it, and the
+// bound is checked with it.
 #pragma once
 
 #include "encoder/core/field.h"
@@ -9,27 +9,27 @@
 
 namespace isostar {
 
-/// Distances in grid steps along the smallest spacing. Those of a sample of the source's vertices
-/// stand for all.
+/// Distances are in grid steps along the smallest spacing. They are measured at a sample of the
+/// source's vertices.
 template <int D>
 class SourceDistance {
  public:
-  /// Of the finest octave: its signs, and `active` as of activeBricks(signs).
+  /// `signs`: of the finest level; `active`: as of activeBricks(signs).
   SourceDistance(const GridField<D>& field, const Header& header, const Signs<D>& signs,
                  const std::vector<uint8_t>& active);
 
-  /// RMS distance from the source's surface to what `cubes` makes of a coarse octave's signs: what
-  /// is missing counts, too. Where there is nothing yet, the diagonal of the box.
+  /// RMS distance from the source's surface to what Polygonizer::Cubes makes of a coarse level's
+  /// signs. Missing parts count. If there is no surface yet, it is the diagonal of the box.
   [[nodiscard]] double rms(const Signs<D>& coarse, const Hints<D>& hints) const;
-  /// RMS distance of the finest octave's surface; scalars without places stand for none told, and
-  /// count 2^-finer half quanta.
+  /// RMS distance to the finest level's surface. Scalars count 2^-finer half quantization steps; an
+  /// empty table means that none are coded.
   [[nodiscard]] double rms(const Signs<D>& finest, const Scalars<D>& scalars,
                            const Hints<D>& hints = {}, int finer = 0) const;
-  /// The bricks that it looks at, by place.
-  [[nodiscard]] const std::vector<uint8_t>& tableSize() const { return near_; }
+  /// Marks, by brick index, the bricks that rms() reads.
+  [[nodiscard]] const std::vector<uint8_t>& bricks() const { return bricks_; }
 
-  /// The bricks with an end of an edge on which a vertex of the finest surface is off by more than
-  /// a bound, 1 marked, by place; empty if there is none. All scalars are known.
+  /// Marks, by brick index, the bricks with an end of an edge on which a vertex of the finest
+  /// surface is off by more than the bound. Empty if there are none. All scalars must be known.
   [[nodiscard]] std::vector<uint8_t> beyond(double bound, const Signs<D>& signs,
                                             const Scalars<D>& scalars,
                                             const std::vector<uint8_t>& active) const;
@@ -41,8 +41,8 @@ class SourceDistance {
   struct Sample {
     std::size_t brickIndex;  // of its edge's first vertex
     int evenAt, oddAt;       // the edge's ends in a ScalarWindow
-    double crossing;         // where on the edge it lies, from the even end (0) to the odd one (1)
-    double perEdge;          // how far the surface moves as the vertex moves along the whole edge
+    double crossing;         // where on the edge it lies, from the even end (0) to the odd end (1)
+    double perEdge;          // how far the surface moves when the vertex moves along the whole edge
     Point position, normal;
   };
 
@@ -53,13 +53,13 @@ class SourceDistance {
 
   const GridField<D>& field_;
   const Header& header_;
-  Point unit_;                   // by axis
-  std::vector<Sample> samples_;  // by place
-  std::vector<uint8_t> near_;    // bricks with ends of the samples' edges, by place
+  Point unit_;                   // the distance between samples, by axis
+  std::vector<Sample> samples_;  // in order of brick indices
+  std::vector<uint8_t> bricks_;  // by brick index: whether it has an end of a sample's edge
 };
 
-/// The length of an edge along a set of axes, in grid steps along the smallest spacing. The fourth
-/// axis is time: a frame counts as one step.
+/// The length of an edge along a set of axes, in grid steps along the smallest spacing. On the
+/// fourth axis, time, a frame counts as one step.
 [[nodiscard]] double edgeLength(const Placement& placement, unsigned axes);
 
 }  // namespace isostar

@@ -1,4 +1,4 @@
-// The vertices of a coarse surface by brick, so that the nearest one to a point is soon found.
+// The vertices of a coarse surface by brick, for fast searches of the nearest one to a point.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ class VertexCloud {
  public:
   using Point = std::array<double, D>;
 
-  /// Of the surface that `cubes` makes of an octave's signs alone, as they are hinted to place it.
+  /// The vertices of the surface that Polygonizer::Cubes makes of a level's signs and hints.
   /// `unit`: the distance between samples by axis, at least 1.
   VertexCloud(const Signs<D>& signs, const Point& unit, const Hints<D>& hints)
       : lattice_(signs.lattice()), table_(signs.table()), first_(table_.total() + 1), unit_(unit) {
@@ -46,13 +46,14 @@ class VertexCloud {
 
   [[nodiscard]] bool empty() const { return vertices_.empty(); }
 
-  /// From a point to the nearest vertex; there is one. Lengths as `unit` counts them.
+  /// The vector from a point to the nearest vertex; the cloud must not be empty. Lengths in terms
+  /// of `unit`.
   [[nodiscard]] Point toNearest(const Point& p) const {
     Coordinates<D> centre;
     for (int a = 0; a < D; ++a)
       centre[a] = std::clamp(static_cast<int32_t>(p[a] / side(a)), 0, table_.count(a) - 1);
     Nearest nearest;
-    // A brick of ring n + 1 is n bricks away at the least.
+    // A brick of ring n + 1 is at least n bricks away.
     for (int32_t ring = 0;
          nearest.squared > square(std::max(0, ring - 1) * kBrickSide * double(lattice_.step));
          ++ring)
@@ -78,7 +79,7 @@ class VertexCloud {
     return p;
   }
 
-  /// The bricks whose largest distance to the centre on an axis is `ring`.
+  /// Scans the bricks whose largest distance to the centre on an axis is `ring`.
   void scanRing(const Point& p, const Coordinates<D>& centre, int32_t ring,
                 Nearest& nearest) const {
     Coordinates<D> from, to;
@@ -119,7 +120,8 @@ class VertexCloud {
   Lattice<D> lattice_;
   BrickTable<D> table_;
   std::vector<Point> vertices_;
-  std::vector<std::size_t> first_;  // vertex of each place, and the end of the last
+  /// By brick index: its first vertex; then the number of all vertices.
+  std::vector<std::size_t> first_;
   Point unit_;
 };
 

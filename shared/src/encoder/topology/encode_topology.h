@@ -1,4 +1,4 @@
-// Streams whose every surface has the topology of the finest one (§4.3).
+// Streams that preserve the topology: each surface they show has that of the finest one (§4.3).
 #pragma once
 
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace isostar {
 
-/// The centres of cells that stay whole in a stream's first mesh, by octave: as TopologyPlan
-/// allows, and such that what is shown of the mesh at each step, with signs estimated where it has
-/// no vertices, can be turned into the source's surface vertex by vertex without a change in
-/// topology, by `cubes` as well. `truth` are the source's signs by octave.
+/// The centres of the cells that a stream's first mesh keeps, as TopologyPlan::centres() has them.
+/// They are chosen as TopologyPlan allows. In addition, the shown surface of each step, with signs
+/// estimated at absent vertices, can be turned into the source's surface by flips of single
+/// vertices that preserve the topology of Polygonizer::Cubes. `actual`: the source's signs by
+/// level.
 [[nodiscard]] std::vector<Signs<3>> wholeCells(const Header& header,
                                                const std::vector<Signs<3>>& actual);
 

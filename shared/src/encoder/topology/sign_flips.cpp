@@ -1,3 +1,4 @@
+// Compares the topology of the surface around a vertex before and after a flip of its sign.
 #include "encoder/topology/sign_flips.h"
 
 #include <array>
@@ -8,11 +9,12 @@
 namespace isostar {
 namespace {
 
-constexpr unsigned kSide = 3, kVertices = 27,
-                   kMiddle = 13;                       // of a block of 2³ cells around a vertex
-constexpr unsigned kAxes = 3, kNodes = kVertices * 8;  // edges, by their lower vertex and axes
+/// The vertices of a block: the 2³ cells around a vertex, which is kMiddle.
+constexpr unsigned kSide = 3, kVertices = 27, kMiddle = 13;
+/// Edges are numbered by their lower vertex and their axes.
+constexpr unsigned kAxes = 3, kNodes = kVertices * 8;
 
-/// What belongs together.
+/// Connected components of edges (union-find).
 class Pieces {
  public:
   Pieces() {
@@ -28,10 +30,10 @@ class Pieces {
   std::array<uint8_t, kNodes> root_;
 };
 
-/// The signs of a block, and which of its cells the box has.
+/// The signs of a block, and which of its cells lie in the box.
 struct Block {
   unsigned signs = 0, cells = 0;
-  std::array<bool, kAxes> atEnd{};  // does the middle lie in a face of the box, across this axis?
+  std::array<bool, kAxes> atEnd{};  // by axis: does the middle lie in a face of the box across it?
 
   Block(const Signs<3>& all, const Coordinates<3>& v) {
     const auto& last = all.lattice().last;
@@ -79,7 +81,7 @@ class Patch {
     for (const bool used : used_) twiceEuler_ += used ? 2 : 0;
   }
 
-  /// The same pieces, but for what they are within the block.
+  /// Are the pieces the same, except for their shape within the block?
   [[nodiscard]] bool isLike(Patch& other) {
     bool same =
         twiceEuler_ == other.twiceEuler_ && alike(surface_, used_, other.surface_, other.used_);
@@ -111,19 +113,19 @@ class Patch {
       }
     }
   }
-  /// Does an edge lie in the middle's plane across an axis?
+  /// Does an edge lie in the plane of the middle across an axis?
   static bool liesAcross(unsigned node, unsigned axis) {
     unsigned vertex = node / 8;
     for (unsigned a = 0; a < axis; ++a) vertex /= kSide;
     return (node >> axis & 1) == 0 && vertex % kSide == 1;
   }
-  /// An edge that the middle's sign does not concern.
+  /// Is an edge not affected by the middle's sign?
   static bool outer(unsigned node) {
     unsigned end = node / 8, stride = 1;
     for (unsigned a = 0; a < kAxes; ++a, stride *= kSide) end += (node >> a & 1) * stride;
     return node / 8 != kMiddle && end != kMiddle;
   }
-  /// Each piece is named by the first of its outer vertices; it must have one.
+  /// Names each piece by the first of its outer vertices. False if a piece has none.
   static bool name(Pieces& pieces, const Set& used, std::array<uint8_t, kNodes>& names) {
     constexpr uint8_t kNone = kNodes;
     std::array<uint8_t, kNodes> first;
@@ -148,7 +150,7 @@ class Patch {
   std::array<Pieces, kAxes> curves_;  // on the box's faces
   Set used_{};
   std::array<Set, kAxes> onEnd_{};
-  int twiceEuler_ = 0;  // but for what both have
+  int twiceEuler_ = 0;  // terms that both patches share are left out
 };
 
 bool keepsTopology(Block block) {
@@ -158,8 +160,8 @@ bool keepsTopology(Block block) {
   return before.isLike(after);
 }
 
-/// Answers for blocks within the box that have been asked for lately: most look like others.
-class Answers {
+/// Caches results for blocks within the box; most blocks are like earlier ones.
+class FlipCache {
  public:
   bool operator()(const Block& block) {
     constexpr unsigned kWhole = 0xFF;
@@ -199,11 +201,11 @@ std::vector<Coordinates<3>> stuckFlips(Signs<3> from, const Signs<3>& to) {
       }
     }
   }
-  Answers keep;
+  FlipCache keeps;
   for (std::size_t before = open.size() + 1; open.size() < before;) {
     before = open.size();
     std::erase_if(open, [&](const Coordinates<3>& v) {
-      if (!keep(Block(from, v))) return false;
+      if (!keeps(Block(from, v))) return false;
       from.set(v, to.at(v));
       return true;
     });

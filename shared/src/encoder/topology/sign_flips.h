@@ -1,5 +1,5 @@
-// Does the surface that `cubes` makes keep its topology where vertices change their signs one after
-// the other?
+// Flips of vertices' signs, one after the other, that preserve the topology of the surface of
+// Polygonizer::Cubes.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace isostar {
 
-/// May a vertex of the finest octave change its sign so that the surface in the cells around it
-/// stays the same but for a deformation that leaves those cells' outside alone? So it is if the
-/// pieces there have the same Euler characteristic and join the same of the outer edges' vertices
-/// before and after, and no piece is closed; where the box ends this holds for the curves on its
-/// faces, too.
+/// May a vertex of the finest level change its sign, such that the surface in the cells around it
+/// only deforms and stays the same outside of them? This holds if the pieces of the surface there
+/// have the same Euler characteristic and connect the same vertices on outer edges before and
+/// after, and no piece is closed. At the end of the box the same must hold for the curves on its
+/// faces.
 [[nodiscard]] bool flipKeepsTopology(const Signs<3>& signs, const Coordinates<3>& v);
 
-/// Turns the vertices in which two sets of signs differ as far as each turn keeps the topology, in
-/// any order; which are left? None: both surfaces have the same topology.
+/// Flips the vertices in which two sets of signs differ, in any order, as long as each flip
+/// preserves the topology. Returns the vertices that are left. If there are none, both surfaces
+/// have the same topology.
 [[nodiscard]] std::vector<Coordinates<3>> stuckFlips(Signs<3> from, const Signs<3>& to);
 
 }  // namespace isostar

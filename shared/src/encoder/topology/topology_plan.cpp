@@ -1,3 +1,4 @@
+// Finds the cells that can be kept, from the welds that preserve the topology.
 #include "encoder/topology/topology_plan.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ bool besideShortEnd(const Lattice<D>& lattice, const Coordinates<D>& v) {
   return false;
 }
 
-/// Calls visit(v) for each vertex of a brick of the lattice.
+/// Calls visit(v) for each vertex of a brick that lies in the lattice.
 template <int D, class Visit>
 void forEachInBrick(const Signs<D>& signs, std::size_t brickIndex, Visit visit) {
   Coordinates<D> low = signs.table().brick(brickIndex), high;
@@ -79,7 +80,7 @@ bool TopologyPlan<D>::keepsTopology(int level, const Coordinates<D>& v) const {
       hierarchy, v, [&](const Coordinates<D>& w) { return signs.at(hierarchy.position(w)); });
 }
 
-/// A vertex needs all corners of the coarser octave's cells that it lies in.
+/// A vertex depends on all corners of the coarser level's cells that it lies in.
 template <int D>
 void TopologyPlan<D>::pinParents(const Signs<D>& bad, Signs<D>& parents) const {
   const auto& lattice = bad.lattice();
@@ -132,8 +133,8 @@ bool TopologyPlan<D>::forbid(const Coordinates<D>& v, int level, double reach) {
     const auto& centres = centres_[static_cast<std::size_t>(finer)];
     const auto& lattice = centres.lattice();
     Coordinates<D> low, high;
-    const auto around =
-        static_cast<int32_t>(std::ceil((1 + 2 * reach) * lattice.step));  // from a cell's centre
+    // From a cell's centre.
+    const auto around = static_cast<int32_t>(std::ceil((1 + 2 * reach) * lattice.step));
     for (int a = 0; a < D; ++a) {
       low[a] = std::clamp((v[a] - around) / lattice.step, 0, lattice.last[a]);
       high[a] = std::clamp((v[a] + around) / lattice.step, 0, lattice.last[a]);

@@ -1,4 +1,4 @@
-// Which cells of each octave may stay whole without a change in the surface's topology (§4.3).
+// The plan of which cells each level may keep without a change of the surface's topology (§4.3).
 #pragma once
 
 #include <vector>
@@ -8,25 +8,25 @@
 
 namespace isostar {
 
-/// Bad is a fresh vertex whose weld would change the topology (topology.h), one that a bad vertex
-/// of a finer octave needs, and one that somebody has forbidden to weld. Signs of a vertex's
-/// diamond decide, and those stay what they are as long as vertices go finest octave first. So it
-/// is known beforehand which cells may stay whole: those that touch no bad vertex. At an end of the
-/// box that is no multiple of the step octaves do not nest, and cells there are split where the
-/// surface is.
+/// A vertex must not be welded if it is a new vertex whose weld would change the topology
+/// (weld_topology.h), if such a vertex of a finer level depends on it, or if a caller has forbidden
+/// it. The topology depends on the signs of the vertex's diamond, and these do not change as long
+/// as vertices are welded from the finest level on. So it is known in advance which cells may be
+/// kept: those that touch no such vertex. Where the box's end is no multiple of the grid step,
+/// levels do not nest; cells there are split if the surface touches them.
 template <int D>
 class TopologyPlan {
  public:
-  /// The source's signs by octave; they outlive the plan.
+  /// `actual`: the source's signs by level; they must outlive the plan.
   explicit TopologyPlan(const std::vector<Signs<D>>& actual);
 
-  /// The centres of an octave's cells that stay whole, by octave, on the lattice of the next finer
-  /// one; none on the first.
+  /// By level: the centres, on its lattice, of those cells of the next coarser level that are kept.
+  /// The first entry is empty.
   [[nodiscard]] const std::vector<Signs<D>>& centres() const { return centres_; }
-  /// Has the coarsest whole cells around a vertex of the finest octave split, as far as `reach` of
-  /// their size, from octave `level` on. False where there are none.
+  /// Splits the coarsest kept cells around a vertex of the finest level, within `reach` times their
+  /// size, from `level` on. False if there are none.
   bool forbid(const Coordinates<D>& v, int level, double reach);
-  /// Finds the whole cells once more; to be called after some were forbidden.
+  /// Finds the kept cells again. Required after forbid().
   void update();
 
  private:
@@ -36,7 +36,7 @@ class TopologyPlan {
   [[nodiscard]] Signs<D> wholeCells(int level, const Signs<D>& bad) const;
 
   const std::vector<Signs<D>>& actual_;
-  std::vector<Signs<D>> changing_;   // fresh vertices whose weld would change the topology
+  std::vector<Signs<D>> changing_;   // new vertices whose weld would change the topology
   std::vector<Signs<D>> forbidden_;  // centres of cells
   std::vector<Signs<D>> centres_;
 };
