@@ -37,7 +37,7 @@ const added = [
   ['shared/src/decoder/decoder.cpp', '#include "scalars/scalars.h"'],
   ['shared/src/surface/polygonizer.cpp', '#include "entropy/models.h"'],
   ['shared/src/container/bytes.h', '#include <fstream>'],
-  ['shared/src/encoder/encoder.cpp', '#  include <thread>'],
+  ['shared/src/encoder/volume_encoder.cpp', '#  include <thread>'],
   ['shared/src/container/stream.cpp', '#include <glm/vec3.hpp>'],
   ['shared/src/coding/codec_state.h', '#include <itkImage.h>'],
   ['native/main.cpp', '#include "container/stream.h"'],

@@ -32,4 +32,15 @@ class Reconstruction {
 [[nodiscard]] std::unique_ptr<Reconstruction> reconstructionOf(const Header& header,
                                                                const Limits& limits);
 
+/// The same for one dimension; each is compiled in a file of its own.
+template <int D>
+[[nodiscard]] std::unique_ptr<Reconstruction> reconstructionIn(const Header& header,
+                                                               const Limits& limits);
+template <>
+std::unique_ptr<Reconstruction> reconstructionIn<2>(const Header&, const Limits&);
+template <>
+std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header&, const Limits&);
+template <>
+std::unique_ptr<Reconstruction> reconstructionIn<4>(const Header&, const Limits&);
+
 }  // namespace isostar

@@ -1,7 +1,7 @@
 // The contexts in which signs of a further isovalue are coded (§5.4).
 #pragma once
 
-#include "entropy/models.h"
+#include "coding/exchange/exchange.h"
 #include "estimate/prediction.h"
 #include "grid/vertex_front.h"
 #include "scalars/intervals.h"

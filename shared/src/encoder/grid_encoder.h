@@ -1,4 +1,7 @@
-// The public encoder: checks options, quantizes the source and writes the smaller of its streams.
+// The encoder in one dimension: checks options, quantizes the source and writes the smaller of its
+// streams.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -8,11 +11,10 @@
 #include "encoder/uniform_layers.h"
 
 namespace isostar {
-namespace {
 
 /// Further isovalues in coding order: the next one is always that nearest to an isovalue coded
 /// before.
-std::vector<double> byNearness(double first, std::vector<double> others) {
+inline std::vector<double> byNearness(double first, std::vector<double> others) {
   std::vector<double> coded{first};
   const auto distance = [&](double value) {
     double least = std::abs(value - first);
@@ -31,7 +33,7 @@ std::vector<double> byNearness(double first, std::vector<double> others) {
 }
 
 /// Are all isovalues finite and different?
-bool distinct(const EncodeOptions& options) {
+inline bool distinct(const EncodeOptions& options) {
   std::vector<double> all = options.furtherIsovalues;
   all.push_back(options.isovalue);
   if (!std::all_of(all.begin(), all.end(), [](double v) { return std::isfinite(v); })) return false;
@@ -39,8 +41,8 @@ bool distinct(const EncodeOptions& options) {
   return std::adjacent_find(all.begin(), all.end()) == all.end();
 }
 
-Error put(Header& header, const std::vector<std::byte>& layers, const EncodeOptions& options,
-          std::vector<std::byte>& out) {
+inline Error put(Header& header, const std::vector<std::byte>& layers, const EncodeOptions& options,
+                 std::vector<std::byte>& out) {
   header.bytes = layers.size();
   ByteWriter writer(out);
   write(writer, header);
@@ -67,7 +69,7 @@ bool valid(std::span<const float> samples, std::span<const float> domain,
 }
 
 /// Sets the header's fields that follow from the options alone.
-void setOptions(Header& header, const EncodeOptions& options) {
+inline void setOptions(Header& header, const EncodeOptions& options) {
   header.isovalue = options.isovalue;
   header.furtherIsovalues = byNearness(options.isovalue, options.furtherIsovalues);
   header.polygonizer = options.polygonizer;
@@ -115,18 +117,6 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   if (!adaptive.empty() && adaptive.size() < layers.bytes().size())
     return put(adaptiveHeader, adaptive, options, out);
   return put(header, layers.bytes(), options, out);
-}
-
-}  // namespace
-
-Error encode(const Image& image, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<2>(image.samples, {}, headerOf(image), options, out);
-}
-Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<3>(volume.samples, volume.domain, headerOf(volume), options, out);
-}
-Error encode(const Sequence& sequence, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<4>(sequence.samples, {}, headerOf(sequence), options, out);
 }
 
 }  // namespace isostar

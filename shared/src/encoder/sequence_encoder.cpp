@@ -1,0 +1,11 @@
+// The isosurface of a sequence of volumes (§6): four dimensions. A file of its own: each dimension
+// takes a compiler a minute.
+#include "encoder/grid_encoder.h"
+
+namespace isostar {
+
+Error encode(const Sequence& sequence, const EncodeOptions& options, std::vector<std::byte>& out) {
+  return encodeGrid<4>(sequence.samples, {}, headerOf(sequence), options, out);
+}
+
+}  // namespace isostar

@@ -1,0 +1,11 @@
+// The isosurface of a volume: three dimensions. A file of its own: each dimension takes a
+// compiler a minute.
+#include "encoder/grid_encoder.h"
+
+namespace isostar {
+
+Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out) {
+  return encodeGrid<3>(volume.samples, volume.domain, headerOf(volume), options, out);
+}
+
+}  // namespace isostar
