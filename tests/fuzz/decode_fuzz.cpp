@@ -1,4 +1,4 @@
-// Any bytes as a stream.
+// Arbitrary bytes as a stream.
 #include "fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// A fuzzer's bytes as numbers, and what any decoder must do with any of them.
+// A fuzzer's bytes as numbers, and what every decoder must do with untrusted input.
 #pragma once
 
 #include <cmath>
@@ -12,14 +12,14 @@ namespace isostar {
 
 inline constexpr Limits kFuzzLimits{1u << 20, 1u << 16, 32u << 20};
 
-/// Takes numbers off the front; zeros past the end.
+/// Takes numbers off the front; past the end they are zero.
 class FuzzInput {
  public:
   FuzzInput(const uint8_t* data, std::size_t size)
       : rest_(reinterpret_cast<const std::byte*>(data), size) {}
 
   uint8_t byte() { return number<uint8_t>(); }
-  /// Within first … last.
+  /// A number in first … last.
   int between(int first, int last) { return first + byte() % (last - first + 1); }
   template <class Number>
   Number number() {
@@ -52,8 +52,8 @@ inline void demandSound(const Mesh& mesh) {
   for (float v : mesh.normals) demand(std::isfinite(v));
 }
 
-/// Makes all meshes, or contours, of what a decoder shows: of both polygonizers, each isovalue and
-/// one in between, on a frame and off it.
+/// Makes all meshes or contours that a decoder can show: for both polygonizers, each isovalue and
+/// one in between, at a frame and between frames.
 inline void demandSoundSurfaces(const Decoder& decoder) {
   std::vector<double> isovalues = decoder.info().isovalues;
   if (isovalues.size() > 1) isovalues.push_back(0.7 * isovalues.front() + 0.3 * isovalues.back());

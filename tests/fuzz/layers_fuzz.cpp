@@ -1,5 +1,5 @@
-// Any layers behind a plausible header and right checksums, straight into the traversals, torn at
-// times: within any memory allowed.
+// Arbitrary layers behind a plausible header, with correct checksums, so that they reach the
+// traversals. Some streams are torn. The decoder must stay within any memory limit.
 #include "container/stream.h"
 #include "fuzz_input.h"
 #include "hostile/allocation.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostUncounted = 4u << 20;  // models, as Limits says
 
-/// A small number or any.
+/// A small number or an arbitrary one.
 double isovalueFrom(FuzzInput& input) {
   return (input.byte() & 1) != 0 ? input.between(-9, 9) / 2.0 : input.number<double>();
 }
@@ -41,7 +41,7 @@ Header headerFrom(FuzzInput& input) {
   return header;
 }
 
-/// A kind and level that may come next in a sound stream of so many layers.
+/// A kind and level that may follow after `coded` layers of a sound stream.
 LayerHead expected(FuzzInput& input, const Header& header, int coded) {
   constexpr int kPasses = 5;  // before further isovalues
   const int finestLevel = header.finestLevel();

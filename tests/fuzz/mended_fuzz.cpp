@@ -1,5 +1,5 @@
-// Any bytes as a stream whose checksums are right: a sound stream changed anywhere is decoded to
-// its end.
+// Arbitrary bytes as a stream, with repaired checksums: damage anywhere in a sound stream reaches
+// the decoder.
 #include <algorithm>
 
 #include "container/stream.h"
@@ -17,7 +17,8 @@ void put(Bytes& stream, std::size_t at, std::size_t length, uint32_t sum) {
     stream[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
 }
 
-/// Where a header ends only its own fields tell: tries each place for its checksum. 0: nowhere.
+/// The length of a header depends on its fields, so every position is tried for its checksum. 0 if
+/// none fits.
 std::size_t mendHeader(Bytes& stream, Header& header) {
   constexpr std::size_t kLongest = 400;
   for (std::size_t end = kMagic + 1; end + 2 <= std::min(stream.size(), kLongest); ++end) {

@@ -1,4 +1,4 @@
-// A stream whole and in pieces: the same layers, the same surface.
+// A stream as a whole and in pieces gives the same layers and the same surface.
 #include <utility>
 
 #include "fuzz_input.h"

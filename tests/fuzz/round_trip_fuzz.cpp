@@ -1,5 +1,5 @@
-// Any tiny volume: lossless gives its own triangles back, and a bound is kept, at each of several
-// isovalues.
+// Arbitrary tiny volumes: lossless streams give the source's triangles, and bounds are kept, at
+// each of several isovalues.
 #include <algorithm>
 
 #include "fuzz_input.h"
@@ -13,7 +13,7 @@ Volume volumeFrom(FuzzInput& input, std::vector<float>& samples) {
   std::size_t count = 1;
   for (int32_t& n : volume.size) count *= static_cast<std::size_t>(n = input.between(1, 9));
   const bool whole = (input.byte() & 1) != 0;
-  // Of similar sizes: scalars are kept relative to the largest at the surface.
+  // Of similar magnitude: scalars are quantized relative to the largest at the surface.
   const float scale = whole ? 1 : std::ldexp(1.37F, input.between(-60, 60));
   for (std::size_t i = 0; i < count; ++i)
     samples.push_back(scale *

@@ -1,4 +1,4 @@
-// Small sound streams for the fuzzers to begin with: write_seeds FOLDER.
+// Writes small sound streams as a corpus for the fuzzers: write_seeds FOLDER.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -21,23 +21,23 @@ class SeedFolder {
     StreamInfo info;
     if (encode(source, options, stream) != Error::None || inspect(stream, info) != Error::None ||
         info.adaptive != options.adaptive) {
-      std::cerr << "seed " << number_ << " is not what it should be\n";
-      allAsMeant_ = false;
+      std::cerr << "seed " << number_ << " could not be written as intended\n";
+      allAsIntended_ = false;
     }
     std::ofstream(folder_ / std::to_string(number_++), std::ios::binary)
         .write(reinterpret_cast<const char*>(stream.data()),
                static_cast<std::streamsize>(stream.size()));
   }
   [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool allAsMeant() const { return allAsMeant_; }
+  [[nodiscard]] bool allAsIntended() const { return allAsIntended_; }
 
  private:
   std::filesystem::path folder_;
   int number_ = 0;
-  bool allAsMeant_ = true;
+  bool allAsIntended_ = true;
 };
 
-EncodeOptions turnOf(int number) {
+EncodeOptions optionsOf(int number) {
   EncodeOptions options;
   options.polygonizer = static_cast<Polygonizer>(number % 2);
   options.lossless = number % 3 == 0;
@@ -47,13 +47,13 @@ EncodeOptions turnOf(int number) {
 
 void writeVolumes(SeedFolder& seeds) {
   for (const Size& size : {Size{2, 2, 2}, Size{5, 4, 6}, Size{17, 9, 12}}) {
-    for (const auto& field : fieldsOf(size)) seeds.write(field.volume(), turnOf(seeds.number()));
+    for (const auto& field : fieldsOf(size)) seeds.write(field.volume(), optionsOf(seeds.number()));
   }
 }
 
-void writeCloseByIsovalues(SeedFolder& seeds) {
+void writeFurtherIsovalues(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({9, 8, 11})) {
-    EncodeOptions options = turnOf(seeds.number());
+    EncodeOptions options = optionsOf(seeds.number());
     options.furtherIsovalues = {0.3, -0.2, 3};
     seeds.write(field.volume(), options);
   }
@@ -68,8 +68,8 @@ EncodeOptions adaptive(double bound, Polygonizer polygonizer, int effort = 1) {
   return options;
 }
 
-/// Round shapes, and of as few samples as still make an adaptive mesh the smaller one: fuzzers go
-/// through them often.
+/// Round shapes with as few samples as possible for which the adaptive stream is still the smaller
+/// one: fuzzers decode them often.
 void writeAdaptiveMeshes(SeedFolder& seeds) {
   const Size cube{24, 24, 24}, box{22, 24, 21};
   seeds.write(sampled("ball", cube, sphere(cube, 0.45)).volume(), adaptive(1, Polygonizer::Cubes));
@@ -85,21 +85,21 @@ void writeAdaptiveMeshes(SeedFolder& seeds) {
 
 void writeDomains(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({9, 8, 11}))
-    seeds.write(within(halfSpace({0.6, 0.48, 0.64}, 8), field).volume(), turnOf(seeds.number()));
+    seeds.write(within(halfSpace({0.6, 0.48, 0.64}, 8), field).volume(), optionsOf(seeds.number()));
 }
 
 void writeVolumesOfOneTopology(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({13, 11, 10})) {
-    EncodeOptions options = turnOf(seeds.number());
+    EncodeOptions options = optionsOf(seeds.number());
     options.preserveTopology = true;
     seeds.write(field.volume(), options);
   }
 }
 
-/// Of a plane of a field.
+/// Images: planes of fields.
 void writeImages(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({21, 14, 1})) {
-    EncodeOptions options = turnOf(seeds.number());
+    EncodeOptions options = optionsOf(seeds.number());
     if (seeds.number() % 4 == 0) options.furtherIsovalues = {0.5};
     seeds.write(Image{field.samples, {21, 14}}, options);
   }
@@ -108,7 +108,7 @@ void writeImages(SeedFolder& seeds) {
 /// The third axis of a field holds three frames of four planes each.
 void writeSequences(SeedFolder& seeds) {
   for (const auto& field : fieldsOf({6, 5, 12}))
-    seeds.write(Sequence{field.samples, {6, 5, 4}, 3, {}}, turnOf(seeds.number()));
+    seeds.write(Sequence{field.samples, {6, 5, 4}, 3, {}}, optionsOf(seeds.number()));
 }
 
 }  // namespace
@@ -117,11 +117,11 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   SeedFolder seeds(argv[1]);
   writeVolumes(seeds);
-  writeCloseByIsovalues(seeds);
+  writeFurtherIsovalues(seeds);
   writeAdaptiveMeshes(seeds);
   writeDomains(seeds);
   writeVolumesOfOneTopology(seeds);
   writeImages(seeds);
   writeSequences(seeds);
-  return seeds.allAsMeant() ? 0 : 1;
+  return seeds.allAsIntended() ? 0 : 1;
 }

@@ -1,5 +1,5 @@
-// What the golden streams are made of: fields and options that use each part of the format, one
-// small stream each.
+// The sources of the golden streams: fields and options that use each part of the format, one small
+// stream each.
 #pragma once
 
 #include "property/delicate_shapes.h"
@@ -30,7 +30,7 @@ inline SampledField knotField(std::string name) {
   return {std::move(name), {33, 33, 33}, {shape.values.begin(), shape.values.end()}, {}};
 }
 
-/// Whole numbers, placed in the world: these two have fields of their own in the header.
+/// Whole numbers and a placement: both have fields of their own in the header.
 inline SampledField placed() {
   SampledField field = sampled("placed", {11, 9, 13}, [](double x, double y, double z) {
     return std::round(100 * gyroid(9)(x, y, z));

@@ -1,4 +1,4 @@
-// What a golden stream must decode to: a line for each surface of it, as it stands in surfaces.txt.
+// The expected surfaces of golden streams: one line for each surface, as in surfaces.txt.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace isostar {
 
 inline constexpr const char* kGoldenTable = "surfaces.txt";
 
-/// A surface of a complete stream, made by the stream's own polygonizer, vertices in grid steps; an
-/// image's are its contours.
+/// A surface of a complete stream by the stream's own polygonizer, with vertices in grid steps. For
+/// an image: its contours.
 struct GoldenSurface {
   std::string stream;
   int dimension = 3;
@@ -27,16 +27,16 @@ struct GoldenSurface {
   friend bool operator==(const GoldenSurface&, const GoldenSurface&) = default;
   friend std::ostream& operator<<(std::ostream& out, const GoldenSurface& s) {
     return out << s.stream << ' ' << s.dimension << ' ' << s.bytes << ' ' << s.isovalue << ' '
-               << s.time << ' ' << s.vertices << ' ' << s.indices << ' ' << std::hex << s.positions
-               << ' ' << s.indices << std::dec;
+               << s.time << ' ' << s.vertices << ' ' << s.triangles << ' ' << std::hex
+               << s.positions << ' ' << s.indices << std::dec;
   }
   friend std::istream& operator>>(std::istream& in, GoldenSurface& s) {
     return in >> s.stream >> s.dimension >> s.bytes >> s.isovalue >> s.time >> s.vertices >>
-           s.indices >> std::hex >> s.positions >> s.indices >> std::dec;
+           s.triangles >> std::hex >> s.positions >> s.indices >> std::dec;
   }
 };
 
-/// FNV-1a of 32 bits over whole numbers, each as four bytes, the lowest first.
+/// 32-bit FNV-1a over whole numbers, each as four bytes, the lowest first.
 class Fnv {
  public:
   void add(uint32_t number) {
@@ -49,7 +49,7 @@ class Fnv {
   uint32_t sum_ = 2166136261u;
 };
 
-/// Of coordinates to the nearest 1/1024 of a grid step.
+/// The checksum of coordinates, rounded to 1/1024 of a grid step.
 inline uint32_t checksumOf(const std::vector<float>& coordinates) {
   Fnv fnv;
   for (const float c : coordinates)
@@ -70,7 +70,7 @@ inline bool measure(const Decoder& decoder, GoldenSurface& surface) {
     Contours contours;
     if (decoder.contours(options, contours) != Error::None) return false;
     surface.vertices = contours.points.size() / 2;
-    surface.indices = contours.starts.empty() ? 0 : contours.starts.size() - 1;
+    surface.triangles = contours.starts.empty() ? 0 : contours.starts.size() - 1;
     surface.positions = checksumOf(contours.points);
     surface.indices = checksumOf(contours.starts);
     return true;
@@ -78,14 +78,14 @@ inline bool measure(const Decoder& decoder, GoldenSurface& surface) {
   Mesh mesh;
   if (decoder.mesh(options, mesh) != Error::None) return false;
   surface.vertices = mesh.positions.size() / 3;
-  surface.indices = mesh.indices.size() / 3;
+  surface.triangles = mesh.indices.size() / 3;
   surface.positions = checksumOf(mesh.positions);
   surface.indices = checksumOf(mesh.indices);
   return true;
 }
 
-/// All surfaces of a stream: of each isovalue, of the first and the last frame. None if it does not
-/// decode to its end.
+/// All surfaces of a stream: of each isovalue, and of the first and the last frame. Empty if the
+/// stream does not decode completely.
 inline std::vector<GoldenSurface> surfacesOf(const std::string& name,
                                              const std::vector<std::byte>& stream) {
   Decoder decoder;
@@ -114,7 +114,7 @@ inline std::vector<std::byte> goldenBytes(const std::string& path) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// The lines of a table that are no comment.
+/// The lines of a table except comments.
 inline std::vector<GoldenSurface> goldenTable(const std::string& path) {
   std::vector<GoldenSurface> table;
   std::ifstream in(path);

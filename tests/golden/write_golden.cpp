@@ -1,5 +1,5 @@
-// Writes the golden streams anew and the table of their surfaces: write_golden FOLDER. See
-// README.md for when that is allowed.
+// Rewrites the golden streams and the table of their surfaces: write_golden FOLDER. README.md says
+// when that is allowed.
 #include <iostream>
 
 #include "golden_sources.h"

@@ -5,7 +5,7 @@
 
 namespace isostar {
 
-/// Bytes of operator new since it was made; one at a time.
+/// Bytes of operator new since its construction. Only one may exist at a time.
 class Allocation {
  public:
   Allocation();

@@ -1,6 +1,6 @@
-// Streams with a bit changed, with checksums as they were and with repaired ones.
-#include "anatomy.h"
+// Streams with one changed bit, with the old checksums and with repaired ones.
 #include "harmless.h"
+#include "stream_layout.h"
 
 namespace isostar {
 namespace {
@@ -23,7 +23,7 @@ void forEachFlip(const Bytes& bytes, Visit visit) {
   }
 }
 
-TEST(Damage, aChangedBitIsNoticedOrChangesNoSurface) {
+TEST(Damage, aChangedBitIsDetectedOrChangesNoSurface) {
   for (const auto& field : smallFields()) {
     const Bytes good = encoded(field);
     const Mesh expected = decoded(good);
@@ -39,14 +39,14 @@ TEST(Damage, aChangedBitIsNoticedOrChangesNoSurface) {
 
 void expectHarmlessFlips(const SampledField& field, const EncodeOptions& options) {
   const Bytes good = encoded(field, options);
-  const Anatomy anatomy(good);
+  const StreamLayout layout(good);
   forEachFlip(good, [&](const Bytes& bytes, std::size_t bit) {
     SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
-    (void)harmlesslyDecoded(repaired(bytes, anatomy));
+    (void)harmlesslyDecoded(repaired(bytes, layout));
   });
 }
 
-TEST(Damage, behindRightChecksumsItIsHarmless) {
+TEST(Damage, isHarmlessWithRepairedChecksums) {
   EncodeOptions options;
   options.maxError = 0.1;
   expectHarmlessFlips(smallFields()[0], options);
@@ -55,7 +55,7 @@ TEST(Damage, behindRightChecksumsItIsHarmless) {
   expectHarmlessFlips(smallFields()[1], options);
 }
 
-TEST(Damage, furtherIsovaluesAreHarmlessToo) {
+TEST(Damage, isHarmlessInFurtherIsovalues) {
   EncodeOptions options;
   options.maxError = 0.1;
   options.furtherIsovalues = {0.3, -0.2};
@@ -64,7 +64,7 @@ TEST(Damage, furtherIsovaluesAreHarmlessToo) {
   expectHarmlessFlips(smallFields()[1], options);
 }
 
-TEST(Damage, fittedScalarsAreHarmlessToo) {
+TEST(Damage, isHarmlessInFittedScalars) {
   EncodeOptions options;
   options.maxError = 0.02;
   options.effort = 2;
@@ -74,7 +74,7 @@ TEST(Damage, fittedScalarsAreHarmlessToo) {
   expectHarmlessFlips(smallFields()[1], options);
 }
 
-TEST(Damage, whereADomainEndsIsHarmlessToo) {
+TEST(Damage, isHarmlessInADomain) {
   const SampledField field = within(halfSpace({0.6, 0.48, 0.64}, 7.3), smallFields()[0]);
   EncodeOptions options;
   options.maxError = 0.1;
@@ -86,23 +86,23 @@ TEST(Damage, whereADomainEndsIsHarmlessToo) {
       options);
 }
 
-TEST(Damage, aLayerThatIsBadLeavesTheOnesBefore) {
+TEST(Damage, aDamagedLayerLeavesTheLayersBeforeIt) {
   const auto field = smallFields()[0];
   const Bytes good = encoded(field);
-  const Anatomy anatomy(good);
-  for (std::size_t i = 1; i < anatomy.layers.size(); ++i) {
-    if (anatomy.layers[i].end == anatomy.layers[i].payload) continue;
+  const StreamLayout layout(good);
+  for (std::size_t i = 1; i < layout.layers.size(); ++i) {
+    if (layout.layers[i].end == layout.layers[i].payload) continue;
     Bytes bad = good;
-    bad[anatomy.layers[i].payload] ^= std::byte{1};
+    bad[layout.layers[i].payload] ^= std::byte{1};
     const Decoder decoder = harmlesslyDecoded(bad),
-                  before = decoderOf(std::span(good).first(anatomy.layers[i - 1].end));
+                  before = decoderOf(std::span(good).first(layout.layers[i - 1].end));
     EXPECT_EQ(decoder.error(), Error::Corrupt);
-    EXPECT_EQ(decoder.bytes(), anatomy.layers[i - 1].end);
+    EXPECT_EQ(decoder.bytes(), layout.layers[i - 1].end);
     EXPECT_EQ(meshOf(decoder).positions, meshOf(before).positions);
   }
 }
 
-TEST(Damage, bytesTakenOutAreNoticed) {
+TEST(Damage, removedBytesAreDetected) {
   const Bytes good = encoded(smallFields()[0]);
   for (std::size_t at = 0; at < good.size(); ++at) {
     Bytes bad = good;

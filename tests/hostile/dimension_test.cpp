@@ -1,9 +1,9 @@
 // Damaged streams of images and of sequences: the other dimensions of the same templates.
 #include <random>
 
-#include "anatomy.h"
 #include "harmless.h"
 #include "property/sampled_image.h"
+#include "stream_layout.h"
 
 namespace isostar {
 namespace {
@@ -25,13 +25,13 @@ std::vector<Bytes> goodStreams() {
 
 TEST(HostileDimensions, flippedBitsAreHarmless) {
   for (const Bytes& good : goodStreams()) {
-    const Anatomy anatomy(good);
+    const StreamLayout layout(good);
     Bytes bad = good;
     for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
       SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
       bad[bit / 8] ^= std::byte{1} << (bit % 8);
       (void)harmlesslyDecoded(bad);
-      (void)harmlesslyDecoded(repaired(bad, anatomy));
+      (void)harmlesslyDecoded(repaired(bad, layout));
       bad[bit / 8] ^= std::byte{1} << (bit % 8);
     }
   }
@@ -64,7 +64,7 @@ TEST(HostileDimensions, noiseIsHarmless) {
   }
 }
 
-TEST(HostileDimensions, meshesAreOfImagesAndVolumes) {
+TEST(HostileDimensions, surfacesAreOfTheStreamsDimension) {
   Header header;
   header.dimension = 4;
   header.size = {9, 9, 9, 9};

@@ -1,12 +1,12 @@
-// Displacements that no encoder tells: any cubes and steps, as often as one likes and in any order,
-// in each dimension.
+// Displacements that no encoder writes: any cubes and steps, any number of passes in any order, in
+// each dimension.
+#include "forged_streams.h"
 #include "harmless.h"
-#include "made_up.h"
 
 namespace isostar {
 namespace {
 
-/// A small box of so many axes.
+/// A small box with `dimension` axes.
 Header boxOf(int dimension) {
   Header header;
   header.dimension = dimension;
@@ -54,8 +54,8 @@ Bytes anyStream(const Header& header, uint64_t seed) {
   for (auto& pass : passes) pass = anyPass<D>(random, true);
   for (auto& pass : further) pass = anyPass<D>(random, false);
   const double rate = std::array{0.5, 1.0, 0.1, 0.9}[seed % 4];
-  return madeUp<D>(header, passes, further,
-                   [&](auto code) { return thrown<D>(random(), rate, code); });
+  return forgedStream<D>(header, passes, further,
+                         [&](auto code) { return randomlyCoded<D>(random(), rate, code); });
 }
 
 template <int D>
@@ -88,47 +88,46 @@ void expectHarmlessWhereTorn(uint64_t seed, std::size_t prefixes) {
   }
 }
 
-TEST(HostileDisplacements, tornAnywhereTheyAreHarmless) {
+TEST(HostileDisplacements, areHarmlessWhenTornAnywhere) {
   for (const uint64_t seed : {5, 8}) expectHarmlessWhereTorn<2>(seed, 600);
   expectHarmlessWhereTorn<3>(5, 200);
   expectHarmlessWhereTorn<4>(5, 40);
 }
 
-/// A surface thrown by dice, then displacements of noise.
+/// A surface of random decisions, then displacements of noise.
 Bytes displacedByNoise(double rate, std::size_t length) {
   constexpr int kLayersBefore = 4;
   int layer = 0;
-  return madeUp<3>(
-      boxOf(3), {{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 1}}}, {}, [&](auto code) {
-        return layer++ < kLayersBefore ? thrown<3>(1, rate, code) : noiseOf(length, length);
+  return forgedStream<3>(
+      boxOf(3), {{.kind = LayerKind::Displacement, .displacement = {1, 1}}}, {}, [&](auto code) {
+        return layer++ < kLayersBefore ? randomlyCoded<3>(1, rate, code) : noiseOf(length, length);
       });
 }
 
-TEST(HostileDisplacements, fieldsAreWithinTheirRange) {
+TEST(HostileDisplacements, fieldsOutOfRangeAreCorrupt) {
   const Bytes good = displacedByNoise(0.5, 9000);
-  const Anatomy anatomy(good);
+  const StreamLayout layout(good);
   for (unsigned field = 0; field < 256; ++field) {
     Bytes bytes = good;
-    bytes[anatomy.layers.back().payload] = static_cast<std::byte>(field);
-    EXPECT_EQ(decoderOf(repaired(bytes, anatomy)).error(),
+    bytes[layout.layers.back().payload] = static_cast<std::byte>(field);
+    EXPECT_EQ(decoderOf(repaired(bytes, layout)).error(),
               (field & 3) == 0 || field >> 2 == 0 ? Error::Corrupt : Error::None)
         << field;
   }
 }
 
-TEST(HostileDisplacements, areNotOfAdaptiveMeshes) {
+TEST(HostileDisplacements, areCorruptInAdaptiveStreams) {
   Header header = boxOf(3);
   header.size = {5, 5, 5, 1};  // the base alone
   header.adaptive = true;
-  const Bytes dice =
-      thrown<3>(1, 0.5, [&](auto& exchange) { AdaptiveMesh<3>(header.base<3>()).base(exchange); });
-  const Bytes bytes =
-      assembled(header, {{{LayerKind::Base, 0, 0, 0, 0}, dice},
-                         {{LayerKind::Displacement, 0, 0, 0, 0}, Bytes(20, std::byte{5})}});
+  const Bytes base = randomlyCoded<3>(
+      1, 0.5, [&](auto& exchange) { AdaptiveMesh<3>(header.base<3>()).base(exchange); });
+  const Bytes bytes = assembled(
+      header, {{LayerHead{}, base}, {{.kind = LayerKind::Displacement}, Bytes(20, std::byte{5})}});
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::Corrupt);
 }
 
-TEST(HostileDisplacements, ofNoSurfaceAreNone) {
+TEST(HostileDisplacements, areHarmlessWithoutASurface) {
   for (const std::size_t length : {0u, 1u, 100u}) {
     const Decoder decoder = harmlesslyDecoded(displacedByNoise(0, length));
     EXPECT_EQ(decoder.error(), Error::None);
@@ -136,7 +135,7 @@ TEST(HostileDisplacements, ofNoSurfaceAreNone) {
   }
 }
 
-/// Answers as far as they can be, one way or the other.
+/// The largest displacements in either direction.
 struct FarField : NoScalars {
   [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const {
     return (brickIndex + block) % 3 == 0 ? -4 : 4;
@@ -148,11 +147,11 @@ void expectHarmlessWhereFarthest() {
   const Header header = boxOf(D);
   std::vector<std::pair<LayerHead, Bytes>> layers;
   CodecState<D> known(header);
-  layers.push_back({{LayerKind::Base, 0, 0, 0, 0},
-                    thrown<D>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
+  layers.push_back(
+      {LayerHead{}, randomlyCoded<D>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
   for (int level = 1; level <= header.finestLevel(); ++level) {
-    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0},
-                      thrown<D>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
+    layers.push_back({{.kind = LayerKind::Refinement, .level = level},
+                      randomlyCoded<D>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
   }
   GeometryPass<D> pass;
   pass.kind = LayerKind::Displacement;
@@ -162,12 +161,12 @@ void expectHarmlessWhereFarthest() {
     const Bytes far =
         coded(known.signs, FarField(), [&](auto& exchange) { known.geometry(exchange, pass); });
     bytes.insert(bytes.end(), far.begin(), far.end());
-    layers.push_back({{LayerKind::Displacement, header.finestLevel(), 0, 0, 0}, bytes});
+    layers.push_back({{.kind = LayerKind::Displacement, .level = header.finestLevel()}, bytes});
   }
   EXPECT_EQ(harmlesslyDecoded(assembled(header, layers)).error(), Error::None);
 }
 
-TEST(HostileDisplacements, theFarthestAreShown) {
+TEST(HostileDisplacements, theLargestAreShown) {
   expectHarmlessWhereFarthest<2>();
   expectHarmlessWhereFarthest<3>();
   expectHarmlessWhereFarthest<4>();
@@ -177,8 +176,8 @@ void expectWithinMemory(const Header& header, double rate,
                         const std::vector<GeometryPass<3>>& passes, std::size_t least,
                         std::size_t most, std::size_t step) {
   uint64_t seed = 5;
-  const Bytes bytes =
-      madeUp<3>(header, passes, {}, [&](auto code) { return thrown<3>(++seed, rate, code); });
+  const Bytes bytes = forgedStream<3>(
+      header, passes, {}, [&](auto code) { return randomlyCoded<3>(++seed, rate, code); });
   for (std::size_t memory = least; memory <= most; memory += step) {
     Error error;
     EXPECT_LE(peakOf(bytes, {1u << 26, 1u << 26, memory}, error), memory + kModels + bytes.size())
@@ -187,10 +186,10 @@ void expectWithinMemory(const Header& header, double rate,
   }
 }
 
-/// Before and after scalars, of as much surface as there can be and of a table without any.
+/// Before and after scalars, for as much surface as possible and for a box without any.
 TEST(HostileDisplacements, stayWithinTheMemoryAllowed) {
   constexpr std::size_t kMegabyte = 1u << 20;
-  const GeometryPass<3> displacement{LayerKind::Displacement, {}, 3, {}, 1, false, {1, 20}},
+  const GeometryPass<3> displacement{.kind = LayerKind::Displacement, .displacement = {1, 20}},
       exponents{};
   Header header = boxOf(3);
   for (const bool welded : {false, true}) {

@@ -1,12 +1,12 @@
-// Streams that no encoder writes: layers of any bytes, or of answers thrown by dice, in a right
-// order and behind right checksums.
+// Streams that no encoder writes: layers of arbitrary bytes or of random decisions, in a valid
+// order and with correct checksums.
 #pragma once
 
 #include <random>
 
 #include "allocation.h"
-#include "anatomy.h"
 #include "coding/codec_state.h"
+#include "stream_layout.h"
 #include "unit/traversal.h"
 
 namespace isostar {
@@ -26,11 +26,11 @@ Bytes fieldsOf(const GeometryPass<D>& pass) {
   return bytes;
 }
 
-/// A base, all octaves, where the domain ends, the passes; of each further isovalue its signs and
-/// the passes `further`. `payload(tell)` makes what stands behind a layer's fields.
+/// The base, all refinement levels, the domain, `passes`; for each further isovalue its signs and
+/// the passes `further`. payload(code) returns the bytes of a layer after its fields.
 template <int D, class Payload>
-Bytes madeUp(const Header& header, const std::vector<GeometryPass<D>>& passes,
-             const std::vector<GeometryPass<D>>& further, Payload payload) {
+Bytes forgedStream(const Header& header, const std::vector<GeometryPass<D>>& passes,
+                   const std::vector<GeometryPass<D>>& further, Payload payload) {
   std::vector<std::pair<LayerHead, Bytes>> layers;
   CodecState<D> known(header);
   const auto add = [&](LayerKind kind, int level, Bytes bytes, auto code) {
@@ -60,11 +60,10 @@ Bytes madeUp(const Header& header, const std::vector<GeometryPass<D>>& passes,
   return assembled(header, layers);
 }
 
-/// What a decoder of volumes holds beside what is counted: its models, and the bytes that it was
-/// fed.
+/// What a decoder of volumes holds beside the memory that it counts and its input: its models.
 inline constexpr std::size_t kModels = 9u << 18;
 
-/// The most bytes held while all is decoded, and both surfaces are made after each layer.
+/// The peak of memory while all layers are decoded and both surfaces are made after each.
 inline std::size_t peakOf(const Bytes& bytes, const Limits& limits, Error& error) {
   const Allocation allocation;
   Decoder decoder(limits);

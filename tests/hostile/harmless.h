@@ -1,5 +1,5 @@
-// What a decoder may do with any bytes: show sound surfaces within its limits, and say what is
-// wrong.
+// What a decoder may do with untrusted input: show sound surfaces within its limits and report
+// errors.
 #pragma once
 
 #include "property/round_trip.h"
@@ -7,17 +7,17 @@
 
 namespace isostar {
 
-/// Small, so that a test sees at once where they are passed.
+/// Small limits, so that a test soon sees where they are exceeded.
 inline constexpr Limits kTight{1u << 22, 1u << 18, 64u << 20};
 
-/// The stream's own, and one between the first and the last.
+/// The stream's own isovalues, and one between the first and the last.
 inline std::vector<double> isovaluesToShow(const StreamInfo& info) {
   std::vector<double> isovalues = info.isovalues;
   if (isovalues.size() > 1) isovalues.push_back(0.7 * isovalues.front() + 0.3 * isovalues.back());
   return isovalues;
 }
 
-/// Makes the surface that is asked for, or the contours: sound, or larger than the limits.
+/// Makes the surface or the contours: sound, or over the limits.
 inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options,
                            const Limits& limits) {
   if (decoder.info().dimension == 2) {
@@ -34,7 +34,7 @@ inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options,
   EXPECT_LE(verticesOf(mesh), limits.vertices);
 }
 
-/// Decodes all and makes what there is to see after each layer; returns the decoder.
+/// Decodes all layers and makes all surfaces after each; returns the decoder.
 inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits& limits = kTight) {
   const Bytes copy(bytes.begin(), bytes.end());
   Decoder decoder(limits);

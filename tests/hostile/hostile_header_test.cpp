@@ -1,8 +1,8 @@
-// Headers and layer heads that say what cannot be, or too much.
+// Headers and layer heads with impossible or excessive values.
 #include <limits>
 
-#include "anatomy.h"
 #include "harmless.h"
+#include "stream_layout.h"
 
 namespace isostar {
 namespace {
@@ -26,11 +26,11 @@ Bytes bytesOf(const std::string& text) {
   return bytes;
 }
 
-TEST(HostileHeader, aPlausibleOneIsTaken) {
+TEST(HostileHeader, aPlausibleHeaderIsAccepted) {
   EXPECT_EQ(errorOf(plausible()), Error::None);
 }
 
-TEST(HostileHeader, foreignFiles) {
+TEST(HostileHeader, foreignFilesAreRefused) {
   for (const char* text : {"DRACO", "\x89PNG\r\n", "ply\n", "isn't ours", "<!DOCTYPE html>"})
     EXPECT_EQ(errorOf(bytesOf(text)), Error::NotIsostar) << text;
   EXPECT_EQ(errorOf(bytesOf("is")), Error::Truncated);
@@ -38,21 +38,21 @@ TEST(HostileHeader, foreignFiles) {
   EXPECT_EQ(errorOf(bytesOf("iso\x85")), Error::Truncated);
 }
 
-TEST(HostileHeader, otherVersions) {
+TEST(HostileHeader, otherVersionsAreRefused) {
   Bytes bytes = encoded(sampled("sphere", {9, 9, 9}, sphere({9, 9, 9})));
-  const Anatomy anatomy(bytes);
+  const StreamLayout layout(bytes);
   for (int version = 0; version < 32; ++version) {
     if (version == kFormatVersion) continue;
     bytes[3] = static_cast<std::byte>(0x80 | version << 2 | 1);
     const Error expected = version == 0 ? Error::Corrupt : Error::UnsupportedVersion;
     EXPECT_EQ(errorOf(bytes), expected);
-    EXPECT_EQ(errorOf(repaired(bytes, anatomy)), expected);
+    EXPECT_EQ(errorOf(repaired(bytes, layout)), expected);
     StreamInfo info;
     EXPECT_EQ(inspect(bytes, info), expected);
   }
 }
 
-TEST(HostileHeader, sizesBeyondTheLimits) {
+TEST(HostileHeader, sizesBeyondTheLimitsAreRefused) {
   for (const Size& size : {Size{1 << 20, 1 << 20, 1}, Size{1 << 27, 1 << 27, 1 << 27},
                            Size{(1 << 28) - 1, (1 << 28) - 1, (1 << 28) - 1},
                            Size{1, 1, (1 << 28) - 1}, Size{2048, 2048, 2}}) {
@@ -62,7 +62,7 @@ TEST(HostileHeader, sizesBeyondTheLimits) {
   }
 }
 
-TEST(HostileHeader, moreVerticesThanTheLimits) {
+TEST(HostileHeader, moreVerticesThanTheLimitsAreRefused) {
   Header header = plausible();
   header.vertices = kTight.vertices + 1;
   EXPECT_EQ(errorOf(header), Error::OverLimit);
@@ -70,7 +70,7 @@ TEST(HostileHeader, moreVerticesThanTheLimits) {
   EXPECT_EQ(errorOf(header), Error::OverLimit);
 }
 
-TEST(HostileHeader, sizesOfOtherDimensions) {
+TEST(HostileHeader, sizesOfOtherDimensionsAreLimited) {
   Header header = plausible();
   header.dimension = 4;
   header.size = {1 << 10, 1 << 10, 1 << 10, (1 << 28) - 1};
@@ -83,7 +83,7 @@ TEST(HostileHeader, sizesOfOtherDimensions) {
   EXPECT_EQ(errorOf(header), Error::OverLimit);
 }
 
-TEST(HostileHeader, numbersThatAreNone) {
+TEST(HostileHeader, numbersOutOfRangeAreCorrupt) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
   for (double bad : {nan, infinity, -infinity}) {
@@ -111,7 +111,7 @@ TEST(HostileHeader, numbersThatAreNone) {
   EXPECT_EQ(errorOf(flat), Error::Corrupt);
 }
 
-TEST(HostileHeader, furtherIsovaluesThatCannotBe) {
+TEST(HostileHeader, impossibleFurtherIsovaluesAreCorrupt) {
   Header header = plausible();
   header.furtherIsovalues = {1, 2};
   EXPECT_EQ(errorOf(header), Error::None);
@@ -126,16 +126,16 @@ TEST(HostileHeader, furtherIsovaluesThatCannotBe) {
   EXPECT_EQ(errorOf(header), Error::Corrupt);
 }
 
-TEST(HostileHeader, layersOfIsovaluesInADisorder) {
+TEST(HostileHeader, layersOfIsovaluesOutOfOrderAreCorrupt) {
   const auto field = sampled("sphere", {9, 9, 9}, sphere({9, 9, 9}));
   EncodeOptions options;
   options.furtherIsovalues = {0.3, 0.5};
   const Bytes good = encoded(field, options);
-  const Anatomy anatomy(good);
+  const StreamLayout layout(good);
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
-    const auto& at = anatomy.layers[i];
-    layers.emplace_back(anatomy.heads[i],
+  for (std::size_t i = 0; i < layout.layers.size(); ++i) {
+    const auto& at = layout.layers[i];
+    layers.emplace_back(layout.heads[i],
                         Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
                               good.begin() + static_cast<std::ptrdiff_t>(at.end)));
   }
@@ -143,52 +143,52 @@ TEST(HostileHeader, layersOfIsovaluesInADisorder) {
     for (int number = 0; number < 4; ++number) {
       auto other = layers;
       other[i].first.level = number;
-      (void)errorOf(assembled(anatomy.header, other));
+      (void)errorOf(assembled(layout.header, other));
       other[i].first.kind = number % 2 == 0 ? LayerKind::FurtherSigns : LayerKind::FurtherGeometry;
-      (void)errorOf(assembled(anatomy.header, other));
+      (void)errorOf(assembled(layout.header, other));
     }
     auto early = layers;
     std::swap(early[0], early[i]);
-    EXPECT_EQ(errorOf(assembled(anatomy.header, early)), i > 0 ? Error::Corrupt : Error::None) << i;
+    EXPECT_EQ(errorOf(assembled(layout.header, early)), i > 0 ? Error::Corrupt : Error::None) << i;
   }
 }
 
-TEST(HostileHeader, layersInADisorder) {
+TEST(HostileHeader, layersOutOfOrderAreHarmless) {
   const auto field = sampled("sphere", {20, 20, 20}, sphere({20, 20, 20}));
   const Bytes good = encoded(field);
-  const Anatomy anatomy(good);
+  const StreamLayout layout(good);
   std::vector<std::pair<LayerHead, Bytes>> layers;
-  for (std::size_t i = 0; i < anatomy.layers.size(); ++i) {
-    const auto& at = anatomy.layers[i];
-    layers.emplace_back(anatomy.heads[i],
+  for (std::size_t i = 0; i < layout.layers.size(); ++i) {
+    const auto& at = layout.layers[i];
+    layers.emplace_back(layout.heads[i],
                         Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
                               good.begin() + static_cast<std::ptrdiff_t>(at.end)));
   }
-  ASSERT_EQ(assembled(anatomy.header, layers), good);
+  ASSERT_EQ(assembled(layout.header, layers), good);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     auto missing = layers, twice = layers, swapped = layers;
     missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
-    (void)errorOf(assembled(anatomy.header, missing));
+    (void)errorOf(assembled(layout.header, missing));
     twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(i), layers[i]);
-    (void)errorOf(assembled(anatomy.header, twice));
+    (void)errorOf(assembled(layout.header, twice));
     std::swap(swapped[i], swapped[(i + 1) % layers.size()]);
-    (void)errorOf(assembled(anatomy.header, swapped));
-    if (anatomy.heads[i].level == anatomy.header.finestLevel() && i > 0 &&
-        anatomy.heads[i - 1].level == anatomy.header.finestLevel())
+    (void)errorOf(assembled(layout.header, swapped));
+    if (layout.heads[i].level == layout.header.finestLevel() && i > 0 &&
+        layout.heads[i - 1].level == layout.header.finestLevel())
       continue;
-    EXPECT_EQ(errorOf(assembled(anatomy.header, twice)), Error::Corrupt)
+    EXPECT_EQ(errorOf(assembled(layout.header, twice)), Error::Corrupt)
         << "layer " << i << " twice";
   }
   for (int kind = 0; kind < 4; ++kind) {
     for (std::size_t i = 0; i < layers.size(); ++i) {
       auto other = layers;
       other[i].first.kind = static_cast<LayerKind>(kind);
-      (void)errorOf(assembled(anatomy.header, other));
+      (void)errorOf(assembled(layout.header, other));
     }
   }
 }
 
-TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
+TEST(HostileHeader, aHugeLayerIsTruncatedOrCorrupt) {
   Header header = plausible();
   header.bytes = (uint64_t{1} << 62) + 100;
   Bytes bytes;
@@ -210,9 +210,8 @@ TEST(HostileHeader, aLayerThatClaimsToBeEndless) {
   EXPECT_EQ(errorOf(bytes), Error::Corrupt) << "longer than the stream";
 }
 
-TEST(HostileHeader, moreLayersThanThereAre) {
-  std::vector<std::pair<LayerHead, Bytes>> layers(1000,
-                                                  {LayerHead{LayerKind::Base, 0, 0}, Bytes(4)});
+TEST(HostileHeader, tooManyLayersAreCorrupt) {
+  std::vector<std::pair<LayerHead, Bytes>> layers(1000, {LayerHead{}, Bytes(4)});
   for (std::size_t i = 1; i < layers.size(); ++i) layers[i].first.kind = LayerKind::Exponents;
   const Bytes bytes = assembled(plausible(), layers);
   EXPECT_EQ(errorOf(bytes), Error::Corrupt);

@@ -1,4 +1,4 @@
-// Limits.memory is kept: what decoders and surfaces take, measured, against what was allowed.
+// Limits.memory holds: the measured memory of decoders and surfaces is within the limit.
 #include "allocation.h"
 #include "property/round_trip.h"
 #include "property/sampled_image.h"
@@ -6,13 +6,13 @@
 namespace isostar {
 namespace {
 
-/// What a decoder takes beside what is counted, the header's description included: its models, by
-/// dimension, and once more those of a mesh that is filled.
+/// Memory beside the limit, by dimension: the decoder's models and the description of the stream.
+/// kUncountedOfMesh: the models of a mesh whose absent vertices are filled.
 constexpr std::array<std::size_t, 5> kUncounted{0, 0, 1u << 20, 11u << 17, 4u << 20};
 constexpr std::size_t kUncountedOfMesh = 1u << 20;
 constexpr std::size_t kMostModels = 4u << 20;  // as Limits says
 
-struct Spent {
+struct MemoryUse {
   std::size_t peak = 0;
   bool overLimit = false;
 };
@@ -26,10 +26,10 @@ bool isTooLarge(const Decoder& decoder, const MeshOptions& options) {
   return error == Error::OverLimit;
 }
 
-/// Decodes all, and makes what there is to see after each layer.
-Spent spentOn(const Bytes& bytes, std::size_t memory) {
+/// Decodes all layers and makes all surfaces after each.
+MemoryUse useOf(const Bytes& bytes, std::size_t memory) {
   const Allocation allocation;
-  Spent exhausted;
+  MemoryUse use;
   Decoder decoder({uint64_t{1} << 31, uint64_t{1} << 26, memory});
   decoder.accept(bytes);
   decoder.finish();
@@ -43,33 +43,34 @@ Spent spentOn(const Bytes& bytes, std::size_t memory) {
       options.isovalue = (decoder.info().isovalues.front() + decoder.info().isovalues.back()) / 2;
       options.time = decoder.info().frames > 1 ? 0.5 : 0;
       const bool between = isTooLarge(decoder, options);
-      exhausted.overLimit = exhausted.overLimit || coded || between;
+      use.overLimit = use.overLimit || coded || between;
     }
   }
   EXPECT_TRUE(decoder.isFinal() || decoder.error() == Error::Truncated ||
               decoder.error() == Error::OverLimit)
       << name(decoder.error());
-  exhausted.overLimit = exhausted.overLimit || decoder.error() == Error::OverLimit;
-  exhausted.peak = allocation.peak();
-  return exhausted;
+  use.overLimit = use.overLimit || decoder.error() == Error::OverLimit;
+  use.peak = allocation.peak();
+  return use;
 }
 
 void expectWithin(const Bytes& bytes, int dimension, std::size_t uncounted = 0) {
   const std::size_t beside =
       kUncounted[static_cast<std::size_t>(dimension)] + uncounted + bytes.size();
-  const Spent free = spentOn(bytes, SIZE_MAX);
-  EXPECT_FALSE(free.overLimit);
-  for (std::size_t memory = free.peak / 48; memory < free.peak; memory += 2 * memory - memory / 5) {
-    const Spent exhausted = spentOn(bytes, memory);
-    EXPECT_LE(exhausted.peak, memory + beside)
-        << memory << " bytes allowed; " << free.peak << " would be used";
-    EXPECT_TRUE(exhausted.overLimit || memory + beside >= free.peak) << memory;
+  const MemoryUse unlimited = useOf(bytes, SIZE_MAX);
+  EXPECT_FALSE(unlimited.overLimit);
+  for (std::size_t memory = unlimited.peak / 48; memory < unlimited.peak;
+       memory += 2 * memory - memory / 5) {
+    const MemoryUse use = useOf(bytes, memory);
+    EXPECT_LE(use.peak, memory + beside)
+        << memory << " bytes allowed; " << unlimited.peak << " would be used";
+    EXPECT_TRUE(use.overLimit || memory + beside >= unlimited.peak) << memory;
   }
-  // What must be counted beforehand is at most this much more than what is used.
-  EXPECT_FALSE(spentOn(bytes, 2 * free.peak).overLimit) << free.peak;
+  // The memory that is counted in advance is at most twice the memory that is used.
+  EXPECT_FALSE(useOf(bytes, 2 * unlimited.peak).overLimit) << unlimited.peak;
 }
 
-TEST(HostileMemory, volumes) {
+TEST(HostileMemory, volumesStayWithinTheLimit) {
   EncodeOptions options;
   options.lossless = true;
   const Size cube{50, 61, 57}, flat{300, 3, 250};
@@ -82,14 +83,14 @@ TEST(HostileMemory, volumes) {
   }
 }
 
-TEST(HostileMemory, closeByIsovalues) {
+TEST(HostileMemory, furtherIsovaluesStayWithinTheLimit) {
   const Size size{50, 61, 57};
   EncodeOptions options;
   options.furtherIsovalues = {0.1, -0.4};
   expectWithin(encoded(sampled("gyroid", size, gyroid(17)), options), 3);
 }
 
-TEST(HostileMemory, domains) {
+TEST(HostileMemory, domainsStayWithinTheLimit) {
   const Size size{50, 61, 57};
   EncodeOptions options;
   for (const Field& domain : {halfSpace({0.6, 0.48, 0.64}, 48), noise(3)}) {
@@ -98,7 +99,7 @@ TEST(HostileMemory, domains) {
   }
 }
 
-TEST(HostileMemory, whatWasSoundIsStillShown) {
+TEST(HostileMemory, theLastLayerWithinTheLimitIsShown) {
   const Size size{50, 61, 57};
   for (const auto& [adaptive, welded] : {std::pair{false, false}, {true, false}, {false, true}}) {
     EncodeOptions options;
@@ -119,7 +120,7 @@ TEST(HostileMemory, whatWasSoundIsStillShown) {
   }
 }
 
-TEST(HostileMemory, adaptiveVolumes) {
+TEST(HostileMemory, adaptiveVolumesStayWithinTheLimit) {
   EncodeOptions options;
   options.adaptive = true;
   options.maxError = 0.3;
@@ -131,7 +132,7 @@ TEST(HostileMemory, adaptiveVolumes) {
   }
 }
 
-TEST(HostileMemory, streamsOfOneTopology) {
+TEST(HostileMemory, streamsThatPreserveTopologyStayWithinTheLimit) {
   EncodeOptions options;
   options.preserveTopology = true;
   const Size size{50, 61, 57};
@@ -145,7 +146,7 @@ TEST(HostileMemory, streamsOfOneTopology) {
   }
 }
 
-TEST(HostileMemory, images) {
+TEST(HostileMemory, imagesStayWithinTheLimit) {
   for (const SampledImage& image : imagesOf({300, 250})) {
     SCOPED_TRACE(image.name);
     expectWithin(encoded(image), 2);
@@ -166,13 +167,13 @@ Bytes sequence() {
   return bytes;
 }
 
-TEST(HostileMemory, sequences) {
+TEST(HostileMemory, sequencesStayWithinTheLimit) {
   expectWithin(sequence(), 4);
 }
 
-/// Of octaves and of displacements that end within: what is told is shown as a mesh, which has
-/// models of its own.
-TEST(HostileMemory, tornLayers) {
+/// Torn layers of signs and of displacements are shown as an adaptive mesh, which has its own
+/// models.
+TEST(HostileMemory, tornLayersStayWithinTheLimit) {
   const Size size{50, 61, 57};
   for (const auto& [dimension, bytes] : {std::pair{2, encoded(imagesOf({300, 250})[3])},
                                          {3, encoded(sampled("gyroid", size, gyroid(17)))},
@@ -185,7 +186,7 @@ TEST(HostileMemory, tornLayers) {
                    kMostModels) +
           prefix.size();
       for (std::size_t memory = 1u << 16; memory < 16u << 20; memory *= 2) {
-        EXPECT_LE(spentOn(prefix, memory).peak, memory + beside)
+        EXPECT_LE(useOf(prefix, memory).peak, memory + beside)
             << dimension << " dimensions, " << layer.kind << ' ' << layer.level << ", " << memory;
       }
     }

@@ -1,10 +1,10 @@
-// Streams whose layers are noise, or answers thrown by dice, behind right checksums: they end, and
-// within the limits.
+// Streams whose layers are noise or random decisions, with correct checksums: decoding ends, within
+// the limits.
 #include <chrono>
 
 #include "allocation.h"
+#include "forged_streams.h"
 #include "harmless.h"
-#include "made_up.h"
 
 namespace isostar {
 namespace {
@@ -20,7 +20,7 @@ GeometryPass<3> wideOpen(LayerKind kind, Members members) {
   return {kind, members, 2, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false};
 }
 
-/// A base, all octaves, some geometry of each kind.
+/// The base, all refinement levels, some geometry of each kind.
 template <class Payload>
 Bytes streamOf(const Header& header, Payload payload) {
   std::vector<GeometryPass<3>> passes, further;
@@ -31,7 +31,7 @@ Bytes streamOf(const Header& header, Payload payload) {
   }
   for (const LayerKind kind : {LayerKind::Exponents, LayerKind::Magnitudes})
     further.push_back(wideOpen(kind, Members::AxisEnds));
-  return madeUp<3>(header, passes, further, payload);
+  return forgedStream<3>(header, passes, further, payload);
 }
 
 Header weldedOf(const Size& size) {
@@ -40,7 +40,7 @@ Header weldedOf(const Size& size) {
   return header;
 }
 
-/// Scalars by fits.
+/// Scalars are predicted by local fits.
 Header fittedOf(const Size& size) {
   Header header = headerOf(size);
   header.fitted = true;
@@ -57,8 +57,8 @@ Header severalOf(const Size& size, bool whole = true) {
 Bytes noiseStream(const Header& header, std::size_t length, uint64_t seed) {
   return streamOf(header, [&](auto) { return noiseOf(length, ++seed); });
 }
-Bytes diceStream(const Header& header, uint64_t seed, double rate) {
-  return streamOf(header, [&](auto code) { return thrown<3>(++seed, rate, code); });
+Bytes randomStream(const Header& header, uint64_t seed, double rate) {
+  return streamOf(header, [&](auto code) { return randomlyCoded<3>(++seed, rate, code); });
 }
 
 const std::vector<Size> kHostileSizes{{9, 9, 9},       {100, 100, 100}, {1, 1 << 11, 1 << 11},
@@ -76,12 +76,12 @@ TEST(HostileNoise, endsSoon) {
   }
 }
 
-TEST(HostileNoise, diceStreamsAreClosedSurfaces) {
+TEST(HostileNoise, randomDecisionsGiveClosedSurfaces) {
   for (const Size& size : {Size{9, 9, 9}, Size{17, 12, 30}}) {
     for (uint64_t seed = 0; seed < 12; ++seed) {
       const double rate = std::array{0.5, 0.03, 0.97, 1.0}[seed % 4];
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
-      const Bytes bytes = diceStream(headerOf(size), seed, rate);
+      const Bytes bytes = randomStream(headerOf(size), seed, rate);
       const Decoder decoder = harmlesslyDecoded(bytes);
       EXPECT_EQ(decoder.error(), Error::None);
       for (const Polygonizer polygonizer : kPolygonizers)
@@ -96,7 +96,7 @@ TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
       const Header header = severalOf(size, seed % 2 == 0);
       const Decoder decoder =
-          harmlesslyDecoded(diceStream(header, seed, std::array{0.5, 1.0, 0.03, 0.97}[seed / 2]));
+          harmlesslyDecoded(randomStream(header, seed, std::array{0.5, 1.0, 0.03, 0.97}[seed / 2]));
       EXPECT_EQ(decoder.error(), Error::None);
       for (const double isovalue : isovaluesToShow(decoder.info())) {
         MeshOptions options{Polygonizer::Cubes, Frame::Grid, true};
@@ -111,7 +111,7 @@ TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
   }
 }
 
-/// The same of an adaptive mesh.
+/// The same for an adaptive mesh.
 template <class Payload>
 Bytes adaptiveStreamOf(Header header, Payload payload) {
   header.adaptive = true;
@@ -145,10 +145,10 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
     for (uint64_t seed = 0; seed < 8; ++seed) {
       SCOPED_TRACE(testing::PrintToString(size) + ", seed " + std::to_string(seed));
       const double rate = std::array{0.5, 1.0, 0.03, 0.97}[seed / 2];
-      const auto dice = [&](auto code) { return thrown<3>(++seed * 100, rate, code); };
+      const auto randomly = [&](auto code) { return randomlyCoded<3>(++seed * 100, rate, code); };
       for (const Bytes& bytes :
-           {diceStream(weldedOf(size), seed, rate), diceStream(fittedOf(size), seed, rate),
-            adaptiveStreamOf(fittedOf(size), dice)}) {
+           {randomStream(weldedOf(size), seed, rate), randomStream(fittedOf(size), seed, rate),
+            adaptiveStreamOf(fittedOf(size), randomly)}) {
         const Decoder decoder = harmlesslyDecoded(bytes);
         EXPECT_EQ(decoder.error(), Error::None);
         for (const Polygonizer polygonizer : kPolygonizers)
@@ -167,7 +167,7 @@ TEST(HostileNoise, meshesOfAnyCellsEndSoonAndAreClosed) {
   }
 }
 
-/// Answers as large as they can be.
+/// Values as large as they can be.
 struct SteepField {
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return (1u << 29) - 1; }
   [[nodiscard]] int gradient(std::size_t) const { return 4 * 31 + 3; }
@@ -179,18 +179,18 @@ TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   const Header header = headerOf({9, 9, 9});
   std::vector<std::pair<LayerHead, Bytes>> layers;
   CodecState<3> known(header);
-  layers.push_back({{LayerKind::Base, 0, 0, 0, 0},
-                    thrown<3>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
+  layers.push_back(
+      {LayerHead{}, randomlyCoded<3>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
   for (int level = 1; level <= header.finestLevel(); ++level) {
-    layers.push_back({{LayerKind::Refinement, level, 0, 0, 0},
-                      thrown<3>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
+    layers.push_back({{.kind = LayerKind::Refinement, .level = level},
+                      randomlyCoded<3>(2, 0.5, [&](auto& exchange) { known.refine(exchange); })});
   }
-  const GeometryPass<3> pass{LayerKind::Exponents, Members::AxisEnds, 0, {}, 0, false};
+  const GeometryPass<3> pass{.kind = LayerKind::Exponents, .exponentRange = 0};
   Bytes geometry = fieldsOf<3>(pass);
   const Bytes steep =
       coded(known.signs, SteepField(), [&](auto& exchange) { known.geometry(exchange, pass); });
   geometry.insert(geometry.end(), steep.begin(), steep.end());
-  layers.push_back({{LayerKind::Exponents, header.finestLevel(), 0, 0, 0}, geometry});
+  layers.push_back({{.kind = LayerKind::Exponents, .level = header.finestLevel()}, geometry});
   const Bytes bytes = assembled(header, layers);
   EXPECT_EQ(harmlesslyDecoded(bytes).error(), Error::None);
   for (std::size_t length = bytes.size() - geometry.size(); length < bytes.size(); ++length)
@@ -201,12 +201,12 @@ TEST(HostileNoise, staysWithinTheMemoryAllowed) {
   for (const Size& size : {Size{100, 100, 100}, Size{1 << 19, 1, 1}, Size{2, 2, 1 << 17}}) {
     for (const double rate : {0.5, 1.0}) {
       for (const Header& header : {headerOf(size), weldedOf(size)}) {
-        const Bytes bytes = diceStream(header, 5, rate);
+        const Bytes bytes = randomStream(header, 5, rate);
         for (const std::size_t megabytes : {1u, 4u}) {
           Error error;
           const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
           EXPECT_LE(peak, (megabytes << 20) + kModels + bytes.size())
-              << testing::PrintToString(size) << ", " << megabytes << " MB, dice " << rate
+              << testing::PrintToString(size) << ", " << megabytes << " MB, rate " << rate
               << (header.keepsTopology ? ", welded" : "");
           EXPECT_TRUE(error == Error::None || error == Error::OverLimit);
         }
@@ -217,7 +217,7 @@ TEST(HostileNoise, staysWithinTheMemoryAllowed) {
 
 TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
   for (const Size& size : {Size{100, 100, 100}, Size{2, 2, 1 << 15}}) {
-    const Bytes bytes = diceStream(severalOf(size), 5, 1.0);
+    const Bytes bytes = randomStream(severalOf(size), 5, 1.0);
     for (const std::size_t megabytes : {1u, 4u, 16u}) {
       Error error;
       const std::size_t peak = peakOf(bytes, {1u << 22, 1u << 26, megabytes << 20}, error);
@@ -228,15 +228,16 @@ TEST(HostileNoise, furtherIsovaluesStayWithinTheMemoryAllowed) {
   }
 }
 
-TEST(HostileNoise, anEmptyOctaveIsNoExcuse) {
-  // All decisions are false: no surface, but a table of bricks for each octave of a huge box.
+TEST(HostileNoise, emptyLevelsOfHugeBoxesAreOverLimit) {
+  // All decisions are false: no surface, but a table of bricks for each level of a huge box.
   for (const Size& size :
        {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
     for (const Header& header : {headerOf(size), weldedOf(size)}) {
       std::vector<std::pair<LayerHead, Bytes>> layers;
       for (int level = 0; level <= header.finestLevel(); ++level) {
-        layers.push_back({{level == 0 ? LayerKind::Base : LayerKind::Refinement, level, 0, 0, 0},
-                          Bytes(20, std::byte{0xFF})});
+        layers.push_back(
+            {{.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement, .level = level},
+             Bytes(20, std::byte{0xFF})});
       }
       Error error;
       EXPECT_LE(peakOf(assembled(header, layers), {1u << 31, 1u << 26, 1u << 20}, error),

@@ -1,5 +1,4 @@
-// Where things are in a stream, so that one can be damaged in a known place and its checksums
-// repaired.
+// Where the parts of a stream are, so that a test can damage one of them and repair the checksums.
 #pragma once
 
 #include "container/stream.h"
@@ -7,7 +6,7 @@
 
 namespace isostar {
 
-struct Anatomy {
+struct StreamLayout {
   struct Layer {
     std::size_t head, payload, end;
   };
@@ -16,7 +15,7 @@ struct Anatomy {
   std::vector<Layer> layers;
   std::vector<LayerHead> heads;
 
-  explicit Anatomy(std::span<const std::byte> bytes) {
+  explicit StreamLayout(std::span<const std::byte> bytes) {
     EXPECT_EQ(read(bytes, header, headerEnd), Error::None);
     for (std::size_t at = headerEnd; at < headerEnd + header.bytes;) {
       LayerHead head;
@@ -34,16 +33,16 @@ inline void putChecksum(Bytes& bytes, std::size_t at, std::size_t length, uint32
     bytes[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
 }
 
-/// The same damage under checksums that are right again, where the stream was as `anatomy` says.
-inline Bytes repaired(Bytes bytes, const Anatomy& anatomy) {
+/// The damaged stream with correct checksums. `layout`: of the undamaged stream.
+inline Bytes repaired(Bytes bytes, const StreamLayout& layout) {
   const std::span<const std::byte> all(bytes);
   constexpr std::size_t kMagic = 3, kSum = 2;
-  putChecksum(bytes, anatomy.headerEnd - kSum, kSum,
-              checksum(all.subspan(kMagic, anatomy.headerEnd - kMagic - kSum)));
-  for (const auto& layer : anatomy.layers) {
+  putChecksum(bytes, layout.headerEnd - kSum, kSum,
+              checksum(all.subspan(kMagic, layout.headerEnd - kMagic - kSum)));
+  for (const auto& layer : layout.layers) {
     LayerHead head;
     std::size_t used = 0;
-    if (read(all.subspan(layer.head), anatomy.header, head, used) != Error::None) continue;
+    if (read(all.subspan(layer.head), layout.header, head, used) != Error::None) continue;
     const std::size_t length = layer.end - layer.payload, sum = length < 1024 ? 2 : 4;
     putChecksum(bytes, layer.payload - sum, sum,
                 checksum(head, all.subspan(layer.payload, length)));
@@ -51,7 +50,7 @@ inline Bytes repaired(Bytes bytes, const Anatomy& anatomy) {
   return bytes;
 }
 
-/// A stream of a header and of layers as they are given, with the checksums that they should have.
+/// A stream of a header and of given layers, with correct sizes and checksums.
 inline Bytes assembled(Header header, const std::vector<std::pair<LayerHead, Bytes>>& layers) {
   Bytes behind;
   ByteWriter out(behind);

@@ -9,14 +9,14 @@ namespace isostar {
 namespace {
 
 template <class Dimension>
-class DecompositionTest : public testing::Test {};
+class AdaptationTest : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
                                   std::integral_constant<int, 4>>;
-TYPED_TEST_SUITE(DecompositionTest, Dimensions);
+TYPED_TEST_SUITE(AdaptationTest, Dimensions);
 
-/// A criterion without reason: dice that always fall alike for a simplex.
+/// An arbitrary criterion: a hash of the simplex decides.
 template <int D>
-struct Whim {
+struct HashCriterion {
   unsigned seed;
   unsigned splitsOfSixteen;
   bool operator()(const TaggedSimplex<D>& s) const {
@@ -34,51 +34,51 @@ void expectKept(const Rbmt<D>& mesh, const Keeps& keeps) {
     EXPECT_TRUE(leaf.depth == mesh.hierarchy().maxDepth() || keeps(leaf));
 }
 
-TYPED_TEST(DecompositionTest, refinedMeshesMeetAnyCriterion) {
+TYPED_TEST(AdaptationTest, refinedMeshesMeetAnyCriterion) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
-      const Whim<D> whim{seed, 3 * seed};
+      const HashCriterion<D> criterion{seed, 3 * seed};
       Rbmt<D> mesh(Hierarchy<D>(box.last, box.finestLevel));
-      refine(mesh, whim);
-      expectKept(mesh, whim);
+      refine(mesh, criterion);
+      expectKept(mesh, criterion);
       expectConformingAndRegular(mesh);
       expectClosed(mesh);
     }
   }
 }
 
-TYPED_TEST(DecompositionTest, aMeshRefinedOnceNeedsNoMore) {
+TYPED_TEST(AdaptationTest, refiningTwiceAddsNothing) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    const Whim<D> whim{5, 8};
+    const HashCriterion<D> criterion{5, 8};
     Rbmt<D> mesh(Hierarchy<D>(box.last, box.finestLevel));
-    refine(mesh, whim);
+    refine(mesh, criterion);
     const auto once = verticesOf(mesh);
-    refine(mesh, whim);
+    refine(mesh, criterion);
     EXPECT_TRUE(verticesOf(mesh) == once);
   }
 }
 
-TYPED_TEST(DecompositionTest, coarsenedMeshesMeetAnyCriterion) {
+TYPED_TEST(AdaptationTest, coarsenedMeshesMeetAnyCriterion) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
-      const Whim<D> whim{seed, seed};
+      const HashCriterion<D> criterion{seed, seed};
       const Hierarchy<D> hierarchy(box.last, box.finestLevel);
       auto mesh = Rbmt<D>::full(hierarchy);
-      const auto allows = allKept(hierarchy, whim);
+      const auto allows = allKept(hierarchy, criterion);
       coarsen(mesh, allows);
-      expectKept(mesh, whim);
+      expectKept(mesh, criterion);
       expectConformingAndRegular(mesh);
       expectClosed(mesh);
       for (const auto& v : verticesOf(mesh))
-        EXPECT_FALSE(mesh.canWeld(v) && allows(hierarchy.diamond(v))) << "one more would go";
+        EXPECT_FALSE(mesh.canWeld(v) && allows(hierarchy.diamond(v))) << "one more could be welded";
     }
   }
 }
 
-TYPED_TEST(DecompositionTest, extremesAreTheBaseAndTheFullMesh) {
+TYPED_TEST(AdaptationTest, extremeCriteriaGiveTheBaseAndTheFullMesh) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
@@ -95,8 +95,8 @@ TYPED_TEST(DecompositionTest, extremesAreTheBaseAndTheFullMesh) {
   }
 }
 
-/// The full mesh where the surface is, coarse elsewhere; then welded within a distance.
-TYPED_TEST(DecompositionTest, theDistanceBoundHoldsAndSaves) {
+/// A mesh that is fully refined at the surface is welded within a distance.
+TYPED_TEST(AdaptationTest, theDistanceBoundHoldsAndRemovesVertices) {
   constexpr int D = TypeParam::value;
   const auto ball = sampledBall<D>(D == 4 ? 8 : 29);
   const Hierarchy<D> hierarchy(ball.box, D == 4 ? 2 : 4);
@@ -118,7 +118,7 @@ TYPED_TEST(DecompositionTest, theDistanceBoundHoldsAndSaves) {
   }
 }
 
-TYPED_TEST(DecompositionTest, aPlaneNeedsNoVertices) {
+TYPED_TEST(AdaptationTest, aPlaneNeedsNoVertices) {
   constexpr int D = TypeParam::value;
   const auto plane = sampledPlane<D>(D == 4 ? 7 : 13);
   const Hierarchy<D> hierarchy(plane.box, D == 4 ? 2 : 3);
@@ -129,9 +129,9 @@ TYPED_TEST(DecompositionTest, aPlaneNeedsNoVertices) {
   EXPECT_TRUE(verticesOf(mesh).empty()) << "a plane is exact on any mesh";
 }
 
-/// Samples on the wrong side of a coarse leaf's linear function are farther than the bound says: it
-/// must be refused.
-TEST(Decomposition, theDistanceBoundSeesWhatVerticesMiss) {
+/// Samples on the wrong side of a coarse leaf's linear function are farther away than the bound:
+/// the leaf must be refused.
+TEST(Adaptation, theDistanceBoundCountsSamplesBetweenVertices) {
   auto speck = sampledPlane<2>(16);
   for (auto& value : speck.values) value = -1;
   speck.values[speck.index({5, 11})] = 1;
@@ -142,10 +142,10 @@ TEST(Decomposition, theDistanceBoundSeesWhatVerticesMiss) {
   auto mesh = Rbmt<2>::full(hierarchy);
   coarsen(mesh, allKept(hierarchy, keeps));
   EXPECT_TRUE(mesh.contains({5, 11}));
-  EXPECT_LT(verticesOf(mesh).size(), 60u) << "far from it the mesh is coarse";
+  EXPECT_LT(verticesOf(mesh).size(), 60u) << "far from the surface the mesh is coarse";
 }
 
-TYPED_TEST(DecompositionTest, normalsRefineWhereTheSurfaceBends) {
+TYPED_TEST(AdaptationTest, normalsRefineWhereTheSurfaceBends) {
   constexpr int D = TypeParam::value;
   const auto ball = sampledBall<D>(D == 4 ? 8 : 16);
   const Hierarchy<D> hierarchy(ball.box, D == 4 ? 3 : 4);

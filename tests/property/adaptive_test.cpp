@@ -1,5 +1,5 @@
 // Adaptive streams (§4.3, §5.1, §5.2): coarse simplices where they keep the bound, conforming at
-// any prefix.
+// every prefix.
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -9,7 +9,7 @@ namespace {
 const std::array<double, 3> kCentre{39, 35, 41};
 constexpr double kRadius = 30;
 
-/// Large enough for coarse simplices to pay.
+/// Large enough that coarse simplices are worth their bytes.
 SampledField ball() {
   return sampled("ball", {80, 72, 84}, [](double x, double y, double z) {
     return kRadius -
@@ -36,7 +36,7 @@ double furthestFromBall(const Mesh& mesh) {
   return most;
 }
 
-TEST(Adaptive, aBallTakesFewBytesAndKeepsItsBound) {
+TEST(Adaptive, codesABallInFewBytesWithinItsBound) {
   const auto field = ball();
   for (const double maxError : {0.4, 0.2}) {
     EncodeOptions uniform = adaptive(maxError);
@@ -86,7 +86,7 @@ TEST(Adaptive, neverTakesMoreThanUniform) {
   }
 }
 
-TEST(Adaptive, refusesWhatItCannotBe) {
+TEST(Adaptive, refusesOptionsThatItCannotCombine) {
   const auto field = ball();
   EncodeOptions options = adaptive(0.1);
   options.lossless = true;

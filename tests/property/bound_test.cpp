@@ -6,8 +6,8 @@
 namespace isostar {
 namespace {
 
-/// Surfaces of the same signs have the same triangles over vertices of the same numbers: if all
-/// pairs are within the bound, so are the surfaces, in both directions.
+/// Surfaces of the same signs have the same triangles over vertices with the same numbers: if each
+/// pair of vertices is within the bound, so are the surfaces, in both directions.
 void expectBound(const SampledField& field, double maxError, Polygonizer polygonizer) {
   SCOPED_TRACE(described(field) + ", " + named(polygonizer) + ", " + std::to_string(maxError));
   EncodeOptions options;
@@ -18,7 +18,7 @@ void expectBound(const SampledField& field, double maxError, Polygonizer polygon
   expectSound(mesh);
   ASSERT_EQ(mesh.indices, source.indices);
   ASSERT_EQ(mesh.positions.size(), source.positions.size());
-  // Streams count what an edge allows in 1/65536.
+  // Streams state how far a crossing may move in 1/65536 of an edge.
   EXPECT_LE(furthest(mesh, source, field.placement), maxError + 2e-5);
 }
 
@@ -33,7 +33,7 @@ TEST(Bound, isKeptByEachField) {
   }
 }
 
-TEST(Bound, isKeptAtExtremes) {
+TEST(Bound, isKeptWhenVeryLargeOrSmall) {
   for (const auto& field : fieldsOf({12, 12, 12})) {
     for (double maxError : {1e-300, 1e-40, 1e-12, 1e-5, 0.001, 1.0, 100.0, 1e300}) {
       for (const Polygonizer polygonizer : kPolygonizers) expectBound(field, maxError, polygonizer);
@@ -57,8 +57,8 @@ TEST(Bound, holdsWhereValuesSpanManyScales) {
 }
 
 TEST(Bound, holdsBesideASpike) {
-  // Scalars near the isovalue next to very large ones: what moves a crossing to first order says
-  // little of how far it may move.
+  // Scalars near the isovalue next to very large ones: how far a crossing moves to first order says
+  // little about how far it may move.
   for (const float spike : {300.0F, 65535.0F, 5e7F}) {
     for (const float shoulder : {1.0F, 20.0F, 16834.0F}) {
       SampledField field{"spike", {2, 7, 8}, std::vector<float>(2 * 7 * 8)};

@@ -1,5 +1,4 @@
-// Shapes that a careless weld tears, joins, fills or loses: samples are few where the shapes are
-// thin.
+// Shapes that a careless weld tears, joins, fills or removes: they are thin and sampled coarsely.
 #pragma once
 
 #include "sampled_shapes.h"
@@ -31,7 +30,7 @@ inline SampledShape<3> nested() {
     return std::sin(std::min(distance(p, {9.7, 10.2, 9.9}), 9.3) * 1.5) + 0.1;
   });
 }
-/// Two pairs touch, where several edges join them, and one all but does.
+/// Two pairs touch where several edges join them, and one pair nearly touches.
 inline SampledShape<3> touching() {
   return fromDistance(32, [](const Vector<3>& p) {
     double inside = -100;

@@ -72,7 +72,7 @@ TEST(Domain, aSlantedPlaneCutsABallWithinTheBound) {
   }
 }
 
-TEST(Domain, eachPieceOfItHasItsPieceOfTheSurface) {
+TEST(Domain, eachPartCutsThePartOfTheSurfaceInIt) {
   const Shape cap = shapeOf(decoded(encoded(ball(slanted(throughTheMiddle() + 2.71)))));
   EXPECT_EQ(cap.components, 1);
   EXPECT_EQ(cap.euler, 1) << "a disc";
@@ -86,7 +86,7 @@ TEST(Domain, eachPieceOfItHasItsPieceOfTheSurface) {
   EXPECT_EQ(ring.euler, 0) << "a ring";
 }
 
-TEST(Domain, aSurfaceOutsideIsNotShownAndOneInsideIsWhole) {
+TEST(Domain, hidesASurfaceOutsideAndKeepsOneInside) {
   const Mesh nothing = decoded(encoded(ball(slanted(900))));
   EXPECT_TRUE(nothing.positions.empty() && nothing.normals.empty() && nothing.indices.empty());
   const SampledField field = ball(slanted(-900));
@@ -94,7 +94,8 @@ TEST(Domain, aSurfaceOutsideIsNotShownAndOneInsideIsWhole) {
   plain.domain.clear();
   const Bytes bytes = encoded(field), plainBytes = encoded(plain);
   EXPECT_EQ(decoded(bytes).positions, decoded(plainBytes).positions);
-  EXPECT_LT(bytes.size(), plainBytes.size() + 16) << "what never ends costs next to nothing";
+  EXPECT_LT(bytes.size(), plainBytes.size() + 16)
+      << "a surface that the domain does not cut costs next to nothing";
 }
 
 TEST(Domain, everyPrefixIsClosedButForItsEnd) {
@@ -119,8 +120,8 @@ TEST(Domain, everyPrefixIsClosedButForItsEnd) {
     for (const Polygonizer polygonizer : kPolygonizers) {
       const Mesh mesh = gridMesh(decoder, polygonizer);
       expectSound(mesh);
-      // A stream for cubes does not tell the ends of diagonals; there the domain is continued,
-      // right to within a cell.
+      // A stream for cubes does not hold the ends of diagonals; there the domain is extrapolated,
+      // correct to within a cell.
       const double allowed = polygonizer == Polygonizer::Cubes ? bound : std::sqrt(3);
       expectClosed(mesh, kSize,
                    [&](const Point& p) { return ends != 0 && std::abs(at(domain, p)) <= allowed; });
@@ -147,8 +148,8 @@ TEST(Domain, losslessIsWhatThePolygonizerMakesOfTheSource) {
         expectSound(mesh);
         ASSERT_EQ(mesh.indices, expected.indices);
         ASSERT_EQ(mesh.positions.size(), expected.positions.size());
-        // Vertices differ by the rounding of single precision; where the domain is wild, it moves
-        // its ends by more.
+        // Vertices differ by rounding to single precision; where the domain is irregular, its ends
+        // differ by more.
         EXPECT_LE(furthest(mesh, expected, cut.placement), 1e-3);
       }
     }
@@ -156,7 +157,7 @@ TEST(Domain, losslessIsWhatThePolygonizerMakesOfTheSource) {
 }
 
 /// No edge has more than two triangles, and around each vertex they make one fan.
-TEST(Domain, aManifoldStaysOneWhateverTheDomain) {
+TEST(Domain, aManifoldStaysAManifoldInAnyDomain) {
   const Field rough = noise(9);
   const SampledField field = within([=](double x, double y, double z) { return rough(x, y, z); },
                                     sampled("gyroid", kSize, gyroid()));
@@ -190,7 +191,7 @@ TEST(Domain, aManifoldStaysOneWhateverTheDomain) {
   }
 }
 
-TEST(Domain, isToldInTheHeaderAndAsALayer) {
+TEST(Domain, isStatedInTheHeaderAndCodedAsALayer) {
   const SampledField field = ball(twoPieces());
   StreamInfo info;
   ASSERT_EQ(inspect(encoded(field), info), Error::None);
@@ -203,7 +204,7 @@ TEST(Domain, isToldInTheHeaderAndAsALayer) {
   EXPECT_EQ(encoded(field, adaptive), encoded(field)) << "makes no difference";
 }
 
-TEST(Domain, badOnesAreRefused) {
+TEST(Domain, invalidDomainsAreRefused) {
   const SampledField good = ball(twoPieces());
   const auto expectRefused = [](const SampledField& field, const EncodeOptions& options) {
     Bytes bytes;
@@ -229,12 +230,12 @@ TEST(Domain, badOnesAreRefused) {
   expectRefused(good, options);
 }
 
-TEST(Domain, limitsHoldForWhatTrimmingMakes) {
+TEST(Domain, limitsHoldForTrimmedSurfaces) {
   const Field rough = noise(9);
   const Bytes bytes =
       encoded(ball([=](double x, double y, double z) { return rough(x, y, z) + 0.5; }));
   const uint64_t vertices = verticesOf(decoded(bytes)), whole = decoderOf(bytes).info().vertices;
-  ASSERT_GT(vertices, whole) << "more are made than left out";
+  ASSERT_GT(vertices, whole) << "trimming adds more vertices than it removes";
   Mesh mesh;
   EXPECT_EQ(decoderOf(bytes, {1u << 30, vertices, 1u << 30}).mesh({}, mesh), Error::None);
   EXPECT_EQ(decoderOf(bytes, {1u << 30, vertices - 1, 1u << 30}).mesh({}, mesh), Error::OverLimit);

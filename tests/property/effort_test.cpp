@@ -1,4 +1,4 @@
-// More effort makes smaller streams of the same promises.
+// More effort makes smaller streams that keep the same bounds.
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -30,7 +30,7 @@ TEST(Effort, keepsTheBound) {
   }
 }
 
-TEST(Effort, isLosslessWhereThatIsAsked) {
+TEST(Effort, isLosslessOnRequest) {
   for (const auto& field : fieldsOf({12, 15, 14})) {
     EncodeOptions options = withEffort(2);
     options.lossless = true;
@@ -40,13 +40,13 @@ TEST(Effort, isLosslessWhereThatIsAsked) {
   }
 }
 
-TEST(Effort, goesWithAllOtherOptions) {
+TEST(Effort, combinesWithAllOtherOptions) {
   const SampledField field = sampled("ball", {40, 33, 36}, sphere({40, 33, 36}, 0.4));
-  EncodeOptions adaptive = withEffort(2, 0.4), topology = withEffort(2), near = withEffort(2);
+  EncodeOptions adaptive = withEffort(2, 0.4), topology = withEffort(2), several = withEffort(2);
   adaptive.adaptive = true;
   topology.preserveTopology = true;
-  near.furtherIsovalues = {0.5, -0.5};
-  for (const EncodeOptions& options : {adaptive, topology, near}) {
+  several.furtherIsovalues = {0.5, -0.5};
+  for (const EncodeOptions& options : {adaptive, topology, several}) {
     const Bytes bytes = encoded(field, options);
     EXPECT_EQ(infoOf(bytes).effort, 2);
     for (std::size_t length = bytes.size() / 3; length <= bytes.size(); length += 97)

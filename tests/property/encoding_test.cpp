@@ -1,4 +1,4 @@
-// What encode() accepts and refuses, and what it leaves alone.
+// What encode() accepts and refuses, and what it does not touch.
 #include <limits>
 
 #include "round_trip.h"
@@ -26,7 +26,7 @@ void expectNotPolygonized(const SampledField& field, double isovalue = 0) {
   EXPECT_EQ(polygonize(field.volume(), isovalue, {}, mesh), Error::BadArgument);
 }
 
-TEST(Encoding, refusesSizesThatAreNone) {
+TEST(Encoding, refusesInvalidSizes) {
   for (const Size& size :
        {Size{0, 5, 4}, Size{6, -5, 4}, Size{-6, -5, 4}, Size{6, 5, 5}, Size{6, 5, 3},
         Size{INT32_MAX, INT32_MAX, INT32_MAX}, Size{INT32_MIN, 5, 4},
@@ -41,7 +41,7 @@ TEST(Encoding, refusesSizesThatAreNone) {
   expectRefused(nothing);
 }
 
-TEST(Encoding, refusesSamplesThatAreNoNumbers) {
+TEST(Encoding, refusesSamplesThatAreNotFinite) {
   for (float bad : {kNan, kInfinity, -kInfinity}) {
     for (std::size_t at : {std::size_t{0}, std::size_t{57}, std::size_t{119}}) {
       SampledField field = small();
@@ -52,7 +52,7 @@ TEST(Encoding, refusesSamplesThatAreNoNumbers) {
   }
 }
 
-TEST(Encoding, refusesOptionsThatMakeNoSense) {
+TEST(Encoding, refusesInvalidOptions) {
   for (double bad : {double{kNan}, double{kInfinity}, -double{kInfinity}}) {
     EncodeOptions options;
     options.isovalue = bad;
@@ -69,7 +69,7 @@ TEST(Encoding, refusesOptionsThatMakeNoSense) {
   }
 }
 
-TEST(Encoding, refusesPlacementsWithoutAnInverse) {
+TEST(Encoding, refusesSingularPlacements) {
   std::vector<Placement> bad(8);
   bad[0].spacing[1] = 0;
   bad[1].spacing[2] = -1;
@@ -95,7 +95,7 @@ TEST(Encoding, losslessNeedsNoBound) {
   EXPECT_FALSE(encoded(small(), options).empty());
 }
 
-TEST(Encoding, appends) {
+TEST(Encoding, appendsToItsOutput) {
   const Bytes alone = encoded(small());
   Bytes out{std::byte{9}};
   ASSERT_EQ(encode(small().volume(), {}, out), Error::None);
@@ -103,20 +103,20 @@ TEST(Encoding, appends) {
   EXPECT_EQ(Bytes(out.begin() + 1, out.end()), alone);
 }
 
-TEST(Encoding, twiceGivesTheSameBytes) {
+TEST(Encoding, isDeterministic) {
   for (const auto& field : fieldsOf({20, 13, 17}))
     EXPECT_EQ(encoded(field), encoded(field)) << field.name;
 }
 
 TEST(Encoding, progressRisesToOne) {
-  std::vector<double> coded;
+  std::vector<double> reported;
   EncodeOptions options;
-  options.progress = [&](double done) { coded.push_back(done); };
+  options.progress = [&](double done) { reported.push_back(done); };
   (void)encoded(sampled("gyroid", {40, 40, 40}, gyroid()), options);
-  ASSERT_FALSE(coded.empty());
-  EXPECT_TRUE(std::is_sorted(coded.begin(), coded.end()));
-  EXPECT_GE(coded.front(), 0);
-  EXPECT_EQ(coded.back(), 1);
+  ASSERT_FALSE(reported.empty());
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_GE(reported.front(), 0);
+  EXPECT_EQ(reported.back(), 1);
 }
 
 TEST(Encoding, anEmptySurfaceIsAStream) {
@@ -135,7 +135,7 @@ TEST(Encoding, anEmptySurfaceIsAStream) {
   }
 }
 
-TEST(Encoding, keepsWhatItWasTold) {
+TEST(Encoding, statesItsOptionsInTheStream) {
   SampledField field = small();
   field.placement.spacing = {0.1, 0.2, 1e-3};
   field.placement.origin = {-1e6, 0.1, 7};

@@ -1,4 +1,4 @@
-// Close-by isosurfaces (§5.4): each isovalue of a stream has the surface that it would have alone.
+// Further isovalues (§5.4): each isovalue of a stream has the surface that it would have alone.
 #include "round_trip.h"
 #include "sampled_image.h"
 #include "surface_checks.h"
@@ -12,25 +12,26 @@ MeshOptions at(double isovalue, Polygonizer polygonizer = Polygonizer::Cubes) {
   return options;
 }
 
-EncodeOptions near(double isovalue, std::vector<double> others) {
+EncodeOptions isovalues(double isovalue, std::vector<double> others) {
   EncodeOptions options;
   options.isovalue = isovalue;
   options.furtherIsovalues = std::move(others);
   return options;
 }
 
-/// In the fields' own scale: closer than they are apart, further, on both sides, on samples, beyond
-/// all samples.
+/// Isovalues in the scale of the field: close together and far apart, on both sides of the first,
+/// at samples, and beyond all samples.
 std::vector<EncodeOptions> selections(const SampledField& field) {
   const bool whole = field.name == "whole numbers";
   const double unit = whole ? 100 : 1;
-  return {near(0, {0.02 * unit}), near(0.1 * unit, {-0.05 * unit, 0.3 * unit, 0.2 * unit}),
-          near(0, {1e-9, -1e-9, 2e-9}), near(0.5 * unit, {0, unit}),
-          near(100 * unit, {0, 200 * unit, -1e30})};
+  return {isovalues(0, {0.02 * unit}),
+          isovalues(0.1 * unit, {-0.05 * unit, 0.3 * unit, 0.2 * unit}),
+          isovalues(0, {1e-9, -1e-9, 2e-9}), isovalues(0.5 * unit, {0, unit}),
+          isovalues(100 * unit, {0, 200 * unit, -1e30})};
 }
 
-/// Within `bound` grid steps of the source's own surface, vertex by vertex; beside it what single
-/// precision leaves open.
+/// Each vertex lies within `bound` grid steps of the same vertex of the source's own surface, apart
+/// from rounding to single precision.
 void expectSourcesSurface(const Decoder& decoder, const SampledField& field, double isovalue,
                           Polygonizer polygonizer, double bound) {
   SCOPED_TRACE("isovalue " + std::to_string(isovalue));
@@ -59,7 +60,7 @@ void expectAllSurfaces(const SampledField& field, EncodeOptions options) {
   }
 }
 
-TEST(FurtherIsovalues, eachIsovalueHasItsOwnSurface) {
+TEST(FurtherIsovaluesRoundTrip, eachIsovalueHasItsOwnSurface) {
   for (const Size& size :
        {Size{2, 2, 2}, Size{5, 7, 3}, Size{9, 9, 9}, Size{17, 16, 33}, Size{2, 40, 2}}) {
     for (const auto& field : fieldsOf(size)) {
@@ -68,52 +69,54 @@ TEST(FurtherIsovalues, eachIsovalueHasItsOwnSurface) {
   }
 }
 
-TEST(FurtherIsovalues, bytesAsFractionsOfTheWhole) {
+TEST(FurtherIsovaluesRoundTrip, holdForBytesAsFractions) {
   auto field = sampled("bytes", {17, 12, 20}, [](double x, double y, double z) {
     return std::round(127 + 60 * gyroid(9)(x, y, z)) / 255;
   });
-  expectAllSurfaces(field, near(0.5, {0.2, 52.0 / 255, 0.51, 0.6}));
+  expectAllSurfaces(field, isovalues(0.5, {0.2, 52.0 / 255, 0.51, 0.6}));
 }
 
-TEST(FurtherIsovalues, componentsThatFirstAppear) {
+TEST(FurtherIsovaluesRoundTrip, showNewComponents) {
   const Field rough = noise(11);
   for (const double share : {0.02, 0.3}) {
     const auto field = sampled("crumbs", {30, 30, 30}, [&](double x, double y, double z) {
       const double r = rough(x, y, z);
       return r > 1 - share ? 10 + r : r < share - 1 ? -10 + r : x - 12.3;
     });
-    expectAllSurfaces(field, near(0.2, {-9, 8.9, 10.5}));
+    expectAllSurfaces(field, isovalues(0.2, {-9, 8.9, 10.5}));
   }
 }
 
-TEST(FurtherIsovalues, theFirstSurfaceCostsAsMuchAsAlone) {
+TEST(FurtherIsovaluesRoundTrip, theFirstSurfaceTakesAsManyBytesAsAlone) {
   for (const auto& field : {sampled("whole", {33, 30, 31}, [](double x, double y, double z) {
          return std::round(100 * gyroid(13)(x, y, z));
        })}) {
-    const Bytes alone = encoded(field, near(10.5, {})), both = encoded(field, near(10.5, {12.5}));
+    const Bytes alone = encoded(field, isovalues(10.5, {})),
+                both = encoded(field, isovalues(10.5, {12.5}));
     StreamInfo one, two;
     ASSERT_EQ(inspect(alone, one), Error::None);
     ASSERT_EQ(inspect(both, two), Error::None);
     ASSERT_GT(two.layers.size(), one.layers.size());
     for (std::size_t i = 0; i < two.layers.size(); ++i)
       EXPECT_EQ(two.layers[i].isovalue, i < one.layers.size() ? 0 : 1);
-    // But for the last layers, where a stream of one isovalue may tell what is nearly true.
-    const auto nearly = [](uint64_t bytes, uint64_t others) {
+    // The last layers differ: RDOQ is used in streams of one isovalue only.
+    const auto similar = [](uint64_t bytes, uint64_t others) {
       return bytes < others * 102 / 100 && others < bytes * 102 / 100;
     };
-    EXPECT_TRUE(nearly(two.layers[one.layers.size() - 1].offset, alone.size()));
-    // A further one takes far less: two quanta away of a hundred a step.
+    EXPECT_TRUE(similar(two.layers[one.layers.size() - 1].offset, alone.size()));
+    // A further isovalue takes far less: it lies two quantization steps away, of a hundred per grid
+    // step.
     EXPECT_LT(both.size() - alone.size(), alone.size() / 4);
   }
 }
 
-/// Where no stream aims: without loss, and within loose bounds.
-TEST(FurtherIsovalues, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
+/// Without RDOQ: lossless streams, and loose bounds.
+TEST(FurtherIsovaluesRoundTrip, theFirstSurfaceHasTheSameBytesAsAloneWithoutRdoq) {
   const auto field = sampled("whole", {33, 30, 31}, [](double x, double y, double z) {
     return std::round(100 * gyroid(13)(x, y, z));
   });
   for (const bool lossless : {false, true}) {
-    EncodeOptions single = near(10.5, {}), several = near(10.5, {12.5});
+    EncodeOptions single = isovalues(10.5, {}), several = isovalues(10.5, {12.5});
     single.lossless = several.lossless = lossless;
     single.maxError = several.maxError = 0.2;
     const Bytes alone = encoded(field, single), both = encoded(field, several);
@@ -124,17 +127,17 @@ TEST(FurtherIsovalues, theFirstSurfaceIsToldAsAloneWhereTheTruthIs) {
   }
 }
 
-TEST(FurtherIsovalues, theNearestIsToldFirst) {
+TEST(FurtherIsovaluesRoundTrip, theNearestIsCodedFirst) {
   const auto field = sampled("sphere", {12, 12, 12}, sphere({12, 12, 12}));
   StreamInfo info;
-  ASSERT_EQ(inspect(encoded(field, near(0, {3, -1, 1.5, -2})), info), Error::None);
+  ASSERT_EQ(inspect(encoded(field, isovalues(0, {3, -1, 1.5, -2})), info), Error::None);
   EXPECT_EQ(info.isovalues, (std::vector<double>{0, -1, -2, 1.5, 3}));
 }
 
-TEST(FurtherIsovalues, everyPrefixShowsEveryIsovalue) {
+TEST(FurtherIsovaluesRoundTrip, everyPrefixShowsEveryIsovalue) {
   const Size size{9, 8, 10};
   for (const auto& field : fieldsOf(size)) {
-    const Bytes bytes = encoded(field, near(0, {0.1, -0.1}));
+    const Bytes bytes = encoded(field, isovalues(0, {0.1, -0.1}));
     for (std::size_t length = 0; length < bytes.size(); length += 3) {
       const Decoder decoder = decoderOf(std::span(bytes).first(length));
       ASSERT_EQ(decoder.error(), Error::Truncated);
@@ -148,10 +151,10 @@ TEST(FurtherIsovalues, everyPrefixShowsEveryIsovalue) {
   }
 }
 
-TEST(FurtherIsovalues, inBetweenMovesFromOneToTheOther) {
+TEST(FurtherIsovaluesRoundTrip, surfacesInBetweenMoveFromOneToTheOther) {
   const Size size{30, 30, 30};
   const auto field = sampled("sphere", size, sphere(size));
-  const Decoder decoder = decoderOf(encoded(field, near(0, {2})));
+  const Decoder decoder = decoderOf(encoded(field, isovalues(0, {2})));
   for (const double isovalue : {0.0, 0.25, 0.5, 1.0, 1.5, 1.75, 2.0}) {
     const double radius = 0.35 * 29 + 0.013 - isovalue;
     const Mesh mesh = meshOf(decoder, at(isovalue));
@@ -166,35 +169,35 @@ TEST(FurtherIsovalues, inBetweenMovesFromOneToTheOther) {
   }
 }
 
-TEST(FurtherIsovalues, whereAllIsKnownInBetweenIsExact) {
+TEST(FurtherIsovaluesRoundTrip, surfacesInBetweenAreExactWhereAllScalarsAreKnown) {
   const auto field = sampled("whole", {20, 20, 20}, [](double x, double y, double z) {
     return std::round(200 * gyroid(13)(x, y, z));
   });
-  EncodeOptions options = near(0.5, {4.5});
+  EncodeOptions options = isovalues(0.5, {4.5});
   options.lossless = true;
   const Decoder decoder = decoderOf(encoded(field, options));
   for (const double isovalue : {1.0, 1.5, 2.75, 4.25})
     expectSourcesSurface(decoder, field, isovalue, Polygonizer::Cubes, 0);
 }
 
-TEST(FurtherIsovalues, whatIsNotInTheStreamIsABadArgument) {
+TEST(FurtherIsovaluesRoundTrip, isovaluesOutsideTheStreamAreBadArguments) {
   const auto field = sampled("sphere", {9, 9, 9}, sphere({9, 9, 9}));
-  const Decoder decoder = decoderOf(encoded(field, near(0, {0.5, -0.25})));
+  const Decoder decoder = decoderOf(encoded(field, isovalues(0, {0.5, -0.25})));
   Mesh mesh;
   for (const double isovalue : {-0.3, 0.6, double(NAN), double(INFINITY)})
     EXPECT_EQ(decoder.mesh(at(isovalue), mesh), Error::BadArgument) << isovalue;
   Bytes bytes;
   for (const auto& others :
        std::vector<std::vector<double>>{{0}, {1, 1}, {NAN}, {INFINITY}, std::vector<double>(16, 1)})
-    EXPECT_EQ(encode(field.volume(), near(0, others), bytes), Error::BadArgument);
+    EXPECT_EQ(encode(field.volume(), isovalues(0, others), bytes), Error::BadArgument);
   EXPECT_TRUE(bytes.empty());
 }
 
-TEST(FurtherIsovalues, imagesHaveTheirsToo) {
+TEST(FurtherIsovaluesRoundTrip, holdForImages) {
   for (const ImageSize& size : kImageSizes) {
     for (const SampledImage& image : imagesOf(size)) {
       SCOPED_TRACE(drawn(image));
-      EncodeOptions options = near(0.5, {0.55, 0.3});
+      EncodeOptions options = isovalues(0.5, {0.55, 0.3});
       options.lossless = true;
       Bytes bytes;
       ASSERT_EQ(encode(image.image(), options, bytes), Error::None);

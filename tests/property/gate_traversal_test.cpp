@@ -1,4 +1,4 @@
-// An adapted mesh told through its gates is the same on the other side (§5.1, adaptive).
+// An adaptive mesh that is coded through its gates is decoded unchanged (§5.1).
 #include "coding/adaptive/gate_traversal.h"
 
 #include "bisection/adaptation.h"
@@ -14,7 +14,7 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
                                   std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(GateTraversalTest, Dimensions);
 
-/// Leaves by their vertices: level and signs.
+/// Leaves by their vertices: depth and signs.
 template <int D>
 struct Leaves {
   std::map<Points<D>, std::pair<int, std::vector<bool>>> all;
@@ -24,7 +24,7 @@ struct Leaves {
     std::vector<bool> signs;
     for (const auto& p : pointsOf(hierarchy, leaf)) signs.push_back(positive(p));
     EXPECT_TRUE(all.insert({pointsOf(hierarchy, leaf), {leaf.depth, signs}}).second)
-        << "told twice";
+        << "coded twice";
   }
   friend bool operator==(const Leaves&, const Leaves&) = default;
 };
@@ -51,7 +51,7 @@ std::vector<std::byte> coded(const Rbmt<D>& mesh, const Signs<D>& signs) {
     for (int i = 0; i <= D; ++i) EXPECT_EQ(from->has(leaf.vertices[i]), i != newVertex);
   });
   coder.finish();
-  EXPECT_TRUE(tube == crossingLeaves(mesh, signs)) << "what is told";
+  EXPECT_TRUE(tube == crossingLeaves(mesh, signs)) << "the encoded leaves";
   return bytes;
 }
 
@@ -65,48 +65,49 @@ void expectRoundTrip(const Rbmt<D>& mesh, const Signs<D>& signs) {
   traversal.code(exchange, [&](const auto& leaf, const auto*, int) {
     tube.add(mesh.hierarchy(), leaf, [&](const auto& p) { return traversal.positive(p); });
   });
-  EXPECT_TRUE(tube == crossingLeaves(mesh, signs)) << "what is heard";
+  EXPECT_TRUE(tube == crossingLeaves(mesh, signs)) << "the decoded leaves";
   if (tube.all.empty()) {
     EXPECT_EQ(traversal.positive({}), signs.at({}));
   }
   expectConformingAndRegular(traversal.mesh());
   for (const auto& leaf : leavesOf(traversal.mesh()))
     tube.all.erase(pointsOf(mesh.hierarchy(), leaf));
-  EXPECT_TRUE(tube.all.empty()) << "all are leaves of the mesh decoded";
+  EXPECT_TRUE(tube.all.empty()) << "all are leaves of the decoded mesh";
 }
 
 template <int D>
-Signs<D> diceSigns(const Coordinates<D>& box, unsigned positivesOfSixteen, std::mt19937& dice) {
+Signs<D> randomSigns(const Coordinates<D>& box, unsigned positivesOfSixteen, std::mt19937& random) {
   Signs<D> signs(Lattice<D>(box, 1));
   for (Coordinates<D> v{};;) {
-    signs.set(v, dice() % 16 < positivesOfSixteen);
+    signs.set(v, random() % 16 < positivesOfSixteen);
     int a = 0;
     for (; a < D && ++v[a] > box[a]; ++a) v[a] = 0;
     if (a == D) return signs;
   }
 }
 
-TYPED_TEST(GateTraversalTest, anyMeshAndAnySignsComeBack) {
+TYPED_TEST(GateTraversalTest, anyMeshWithAnySignsRoundTrips) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
-      std::mt19937 dice(seed);
+      std::mt19937 random(seed);
       const Hierarchy<D> hierarchy(box.last, box.finestLevel);
       Rbmt<D> mesh(hierarchy);
       typename Rbmt<D>::Vertices added;
-      for (unsigned i = 0; i < 3 * seed * seed; ++i) mesh.split(anyVertex(hierarchy, dice), added);
+      for (unsigned i = 0; i < 3 * seed * seed; ++i)
+        mesh.split(anyVertex(hierarchy, random), added);
       for (unsigned positives : {0u, 1u, 8u, 15u, 16u})
-        expectRoundTrip(mesh, diceSigns<D>(box.last, positives, dice));
+        expectRoundTrip(mesh, randomSigns<D>(box.last, positives, random));
     }
   }
 }
 
-TYPED_TEST(GateTraversalTest, theBaseAndTheFullMeshComeBack) {
+TYPED_TEST(GateTraversalTest, theBaseAndTheFullMeshRoundTrip) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
-    std::mt19937 dice(7);
+    std::mt19937 random(7);
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
-    const auto signs = diceSigns<D>(box.last, 8, dice);
+    const auto signs = randomSigns<D>(box.last, 8, random);
     expectRoundTrip(Rbmt<D>(hierarchy), signs);
     expectRoundTrip(Rbmt<D>::full(hierarchy), signs);
   }
@@ -116,19 +117,19 @@ TYPED_TEST(GateTraversalTest, aBoxWithoutExtentHasNoLeaves) {
   constexpr int D = TypeParam::value;
   auto last = cube<D>(5);
   last[D - 1] = 0;
-  std::mt19937 dice(3);
+  std::mt19937 random(3);
   expectRoundTrip(Rbmt<D>(Hierarchy<D>(last, 2)), Signs<D>(Lattice<D>(last, 1)));
 }
 
-/// Fewer than a bit a vertex and a fraction of a symbol a leaf: the paper's own measure.
-TYPED_TEST(GateTraversalTest, aBallAdaptedTakesLessThanThePapersCount) {
+/// Less than one bit per vertex and a fraction of a symbol per leaf, by the paper's measure.
+TYPED_TEST(GateTraversalTest, anAdaptedBallTakesLessThanThePapersMeasure) {
   constexpr int D = TypeParam::value;
   const auto ball = sampledBall<D>(D == 4 ? 8 : 29);
   const Hierarchy<D> hierarchy(ball.box, D == 4 ? 2 : 4);
   Rbmt<D> mesh(hierarchy);
-  unsigned turn = 0;
+  unsigned count = 0;
   refine(mesh, [&](const TaggedSimplex<D>& s) {
-    return !mayCross(ball.signs, hierarchy, s) || (s.depth > 2 * D && ++turn % 5 == 0);
+    return !mayCross(ball.signs, hierarchy, s) || (s.depth > 2 * D && ++count % 5 == 0);
   });
   expectRoundTrip(mesh, ball.signs);
   const auto tube = tubeOf(mesh, ball.signs);
@@ -138,13 +139,13 @@ TYPED_TEST(GateTraversalTest, aBallAdaptedTakesLessThanThePapersCount) {
             static_cast<double>(vertices.size()) + 1.6 * static_cast<double>(tube.size()) + 64);
 }
 
-TYPED_TEST(GateTraversalTest, anyBytesComeToAnEnd) {
+TYPED_TEST(GateTraversalTest, decodingOfAnyBytesEnds) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
-      std::mt19937 dice(seed);
+      std::mt19937 random(seed);
       std::vector<std::byte> bytes(seed * 3);
-      for (auto& b : bytes) b = static_cast<std::byte>(dice());
+      for (auto& b : bytes) b = static_cast<std::byte>(random());
       RangeDecoder coder(bytes);
       MeshDecoderSide<D> exchange(coder, 8);
       GateTraversal<D> traversal(Hierarchy<D>(box.last, box.finestLevel));

@@ -23,7 +23,7 @@ Point pointAt(const Contours& contours, std::size_t i) {
   return {contours.points[i * 2], contours.points[i * 2 + 1]};
 }
 
-bool near(const Point& a, const Point& b) {
+bool areClose(const Point& a, const Point& b) {
   return std::abs(a.first - b.first) + std::abs(a.second - b.second) < 2e-5;
 }
 
@@ -44,7 +44,7 @@ Segments segmentsOf(const Contours& contours) {
   return segments;
 }
 
-/// Written anew, cell by cell: a cell's positive corners are cut off one run at a time.
+/// An independent implementation, cell by cell: each run of positive corners of a cell is cut off.
 Segments marchingSquares(const SampledImage& image) {
   Segments segments;
   const std::array<std::array<int32_t, 2>, 4> ring{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -105,14 +105,14 @@ TEST(ImageContours, ofTheSourceAreMarchingSquares) {
     ASSERT_EQ(found.size(), expected.size());
     for (const auto& segment : expected) {
       EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& s) {
-        return near(s.first, segment.first) && near(s.second, segment.second);
+        return areClose(s.first, segment.first) && areClose(s.second, segment.second);
       }));
     }
     EXPECT_EQ(contours.positiveCorner, image.positive(0, 0, 0.5));
   });
 }
 
-TEST(ImageContours, comeBackLossless) {
+TEST(ImageContours, areThoseOfTheSourceWhenLossless) {
   forImages([](const SampledImage& image) {
     for (const Polygonizer polygonizer : kPolygonizers) {
       EncodeOptions options;
@@ -156,7 +156,7 @@ TEST(ImageContours, keepTheBound) {
   });
 }
 
-TEST(ImageContours, eachPrefixIsAPicture) {
+TEST(ImageContours, areSoundForEachPrefix) {
   for (const ImageSize& size : {ImageSize{9, 9}, ImageSize{40, 33}}) {
     for (const SampledImage& image : imagesOf(size)) {
       SCOPED_TRACE(drawn(image));
@@ -185,17 +185,17 @@ TEST(ImageContours, haveLargerValuesOnTheirLeft) {
   const Contours contours = sourceContours(image);
   ASSERT_EQ(contours.starts.size(), 2u);
   EXPECT_GT(contours.points[1], contours.points.back())
-      << "downwards: larger values lie on the right of the image";
+      << "they run downwards: larger values lie on the right of the image";
 }
 
-TEST(ImageContours, ofBytesTakeFewerBytesThanOfAnyNumbers) {
+TEST(ImageContours, takeFewerBytesForBytesThanForAnyNumbers) {
   const auto images = imagesOf({64, 64});
   EncodeOptions lossless;
   lossless.lossless = true;
   EXPECT_LT(encoded(images[4], lossless).size() * 2, encoded(images[2], lossless).size());
 }
 
-TEST(ImageContours, allBytesAreWholeNumbers) {
+TEST(ImageContours, ofBytesHaveWholeScalars) {
   const SampledImage image = sampledImage(
       "ramp", {256, 2}, [](double x, double y) { return (y == 0 ? x : 255 - x) / 255; });
   EncodeOptions options;
@@ -203,7 +203,7 @@ TEST(ImageContours, allBytesAreWholeNumbers) {
   EXPECT_LT(encoded(image, options).size(), 512 * 8 / 8) << "512 scalars of 8 bits";
 }
 
-TEST(ImageContours, areNoMesh) {
+TEST(ImageContours, areNotAMesh) {
   const Decoder image = decoderOf(encoded(imagesOf({9, 9})[0]));
   Mesh mesh;
   EXPECT_EQ(image.mesh({}, mesh), Error::BadArgument);
@@ -214,7 +214,7 @@ TEST(ImageContours, areNoMesh) {
   EXPECT_EQ(volume.contours({}, contours), Error::BadArgument);
 }
 
-TEST(ImageContours, ofSamplesThatMakeNoSenseAreRefused) {
+TEST(ImageContours, ofInvalidSamplesAreRefused) {
   const std::vector<float> samples(12, 1);
   Bytes bytes;
   for (const ImageSize& size :

@@ -1,11 +1,12 @@
-// Lossless: the decoded surface is the one that the polygonizer makes of the source.
+// Lossless streams: the decoded surface is the one that the polygonizer extracts from the source.
 #include "round_trip.h"
 #include "surface_checks.h"
 
 namespace isostar {
 namespace {
 
-/// Vertices are single-precision numbers: one may differ by their rounding, near the box's far end.
+/// Vertices are rounded to single precision, so they may differ slightly near the far end of the
+/// box.
 double rounding(const SampledField& field) {
   return 2e-6 * std::max({field.size[0], field.size[1], field.size[2], 8});
 }
@@ -27,7 +28,7 @@ void expectSourcesSurface(const SampledField& field, double isovalue = 0) {
   }
 }
 
-TEST(Lossless, eachFieldAtEachSize) {
+TEST(Lossless, holdsForEachFieldAtEachSize) {
   for (const Size& size : kSizes) {
     for (const auto& field : fieldsOf(size)) expectSourcesSurface(field);
   }
@@ -43,7 +44,7 @@ TEST(Lossless, boxesWithoutExtentHaveNoSurface) {
   }
 }
 
-TEST(Lossless, isovalueEqualToSamples) {
+TEST(Lossless, holdsForAnIsovalueEqualToSamples) {
   for (const Size& size : {Size{2, 2, 2}, Size{17, 16, 9}}) {
     for (auto field : fieldsOf(size)) {
       for (float& s : field.samples) s = std::round(s * 2);
@@ -52,7 +53,7 @@ TEST(Lossless, isovalueEqualToSamples) {
   }
 }
 
-TEST(Lossless, isovaluesBetweenWholeNumbers) {
+TEST(Lossless, holdsForIsovaluesBetweenWholeNumbers) {
   auto field = sampled("whole numbers", {17, 16, 9}, [](double x, double y, double z) {
     return std::round(1000 * gyroid()(x, y, z)) + 1024;
   });
@@ -60,7 +61,7 @@ TEST(Lossless, isovaluesBetweenWholeNumbers) {
     expectSourcesSurface(field, isovalue);
 }
 
-TEST(Lossless, hugeAndTinyValues) {
+TEST(Lossless, holdsForHugeAndTinyValues) {
   for (double scale : {1e-38, 1e-30, 1e-7, 1e7, 1e30, 1e38}) {
     for (auto field : fieldsOf({17, 16, 9})) {
       for (float& s : field.samples) s = static_cast<float>(s * scale / 200);
@@ -69,7 +70,7 @@ TEST(Lossless, hugeAndTinyValues) {
   }
 }
 
-TEST(Lossless, anOffsetThatLeavesFewBits) {
+TEST(Lossless, holdsForAnOffsetThatLeavesFewBits) {
   for (auto field : fieldsOf({17, 16, 9})) {
     for (float& s : field.samples) s += 1e5F;
     expectSourcesSurface(field, 1e5);

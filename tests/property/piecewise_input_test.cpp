@@ -1,4 +1,4 @@
-// However the bytes arrive, the surfaces are the same.
+// The surfaces do not depend on the pieces in which the bytes arrive.
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -28,7 +28,7 @@ std::vector<Shown> shownInPieces(const Bytes& bytes, std::size_t length) {
   return all;
 }
 
-TEST(Feeding, inPiecesOfAnySize) {
+TEST(PiecewiseInput, showsTheSameSurfacesInPiecesOfAnySize) {
   for (const auto& field : fieldsOf({20, 13, 17})) {
     const Bytes bytes = encoded(field);
     const auto whole = shownInPieces(bytes, bytes.size());
@@ -37,7 +37,7 @@ TEST(Feeding, inPiecesOfAnySize) {
   }
 }
 
-TEST(Feeding, nothingIsWrongBeforeTheEnd) {
+TEST(PiecewiseInput, isNoErrorBeforeTheEnd) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder decoder;
   EXPECT_FALSE(decoder.advance());
@@ -53,7 +53,7 @@ TEST(Feeding, nothingIsWrongBeforeTheEnd) {
   EXPECT_EQ(decoder.error(), Error::Truncated);
 }
 
-TEST(Feeding, trailingBytesAreSomebodyElses) {
+TEST(PiecewiseInput, ignoresTrailingBytes) {
   Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   const std::size_t length = bytes.size();
   const Mesh expected = decoded(bytes);
@@ -65,7 +65,7 @@ TEST(Feeding, trailingBytesAreSomebodyElses) {
   EXPECT_EQ(meshOf(decoder).positions, expected.positions);
 }
 
-TEST(Feeding, bytesAfterTheEndChangeNothing) {
+TEST(PiecewiseInput, bytesAfterTheEndChangeNothing) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder decoder;
   decoder.accept(bytes);
@@ -82,7 +82,7 @@ TEST(Feeding, bytesAfterTheEndChangeNothing) {
   }
 }
 
-TEST(Feeding, bytesAfterFinishAreNotTaken) {
+TEST(PiecewiseInput, ignoresBytesAfterFinish) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   for (const std::size_t length : {std::size_t{0}, std::size_t{10}, bytes.size() / 2}) {
     Decoder decoder;
@@ -97,7 +97,7 @@ TEST(Feeding, bytesAfterFinishAreNotTaken) {
   }
 }
 
-TEST(Feeding, emptyPiecesChangeNothing) {
+TEST(PiecewiseInput, emptyPiecesChangeNothing) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder decoder;
   for (const std::byte& b : bytes) {
@@ -112,14 +112,14 @@ TEST(Feeding, emptyPiecesChangeNothing) {
   EXPECT_EQ(meshOf(decoder).positions, decoded(bytes).positions);
 }
 
-TEST(Feeding, finishBeforeTheHeader) {
+TEST(PiecewiseInput, isTruncatedWhenFinishedBeforeTheHeader) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   for (std::size_t length = 0; length < 12; ++length) {
     Decoder decoder;
     decoder.accept(std::span(bytes).first(length));
     decoder.finish();
     decoder.finish();
-    EXPECT_EQ(decoder.error(), Error::None) << "nothing has been looked at";
+    EXPECT_EQ(decoder.error(), Error::None) << "no byte has been decoded";
     EXPECT_FALSE(decoder.advance());
     EXPECT_EQ(decoder.error(), Error::Truncated);
     EXPECT_FALSE(decoder.ready());
@@ -131,7 +131,7 @@ TEST(Feeding, finishBeforeTheHeader) {
   }
 }
 
-TEST(Feeding, theFirstErrorStays) {
+TEST(PiecewiseInput, theFirstErrorStays) {
   const Bytes good = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Bytes bad = good;
   bad[good.size() / 2] ^= std::byte{1};
@@ -151,7 +151,7 @@ TEST(Feeding, theFirstErrorStays) {
   }
 }
 
-TEST(Feeding, moreBytesThanTheMemoryAllowed) {
+TEST(PiecewiseInput, isOverLimitWithMoreBytesThanMemory) {
   const Bytes bytes = encoded(sampled("noise", {20, 13, 17}, noise()));
   Limits limits;
   limits.memory = bytes.size() - 1;
@@ -161,7 +161,7 @@ TEST(Feeding, moreBytesThanTheMemoryAllowed) {
   EXPECT_EQ(decoder.error(), Error::OverLimit);
 }
 
-TEST(Feeding, decodersCanBeMoved) {
+TEST(PiecewiseInput, continuesInAMovedDecoder) {
   const Bytes bytes = encoded(sampled("gyroid", {20, 13, 17}, gyroid()));
   Decoder first;
   first.accept(std::span(bytes).first(bytes.size() / 2));
@@ -174,7 +174,7 @@ TEST(Feeding, decodersCanBeMoved) {
   EXPECT_EQ(meshOf(second).positions, decoded(bytes).positions);
 }
 
-TEST(Feeding, aMeshCanBeMadeTwice) {
+TEST(PiecewiseInput, aMeshCanBeMadeTwice) {
   const Decoder decoder = decoderOf(encoded(sampled("gyroid", {20, 13, 17}, gyroid())));
   Mesh mesh = meshOf(decoder);
   const Mesh first = mesh;

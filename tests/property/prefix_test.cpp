@@ -36,7 +36,7 @@ void expectEachPrefixShows(const SampledField& field, const EncodeOptions& optio
   }
 }
 
-TEST(Prefix, ofEachLengthOfSmallStreams) {
+TEST(Prefix, ofAnyLengthShowsASoundSurface) {
   for (const Size& size : {Size{2, 2, 2}, Size{5, 4, 6}, Size{9, 9, 9}}) {
     for (const auto& field : fieldsOf(size)) {
       EncodeOptions options;
@@ -65,7 +65,7 @@ TEST(Prefix, errorFallsLayerByLayer) {
   }
 }
 
-TEST(Prefix, errorFallsWithinAnOctave) {
+TEST(Prefix, errorFallsWithinALevel) {
   const Size size{90, 90, 90};
   const auto field = sampled("sphere", size, sphere(size));
   const Bytes bytes = encoded(field);
@@ -78,7 +78,7 @@ TEST(Prefix, errorFallsWithinAnOctave) {
   };
   for (std::size_t i = 1; i < layers.size(); ++i) {
     if (layers[i].kind != "refinement" || layers[i].bytes < 300) continue;
-    SCOPED_TRACE("octave " + std::to_string(layers[i].level));
+    SCOPED_TRACE("level " + std::to_string(layers[i].level));
     double before = errorAt(layers[i - 1].offset);
     for (const std::size_t sixth : {4, 5, 6}) {
       const double error =
@@ -89,7 +89,7 @@ TEST(Prefix, errorFallsWithinAnOctave) {
   }
 }
 
-TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
+TEST(Prefix, theStatedErrorIsTheMeasuredOne) {
   const Size size{60, 60, 60};
   const auto field = sampled("sphere", size, sphere(size));
   Decoder decoder;
@@ -98,15 +98,15 @@ TEST(Prefix, aMeasuredErrorIsTheStatedOne) {
     const double found = distanceToSphere(meshOf(decoder, {Polygonizer::Cubes, Frame::Grid, false}),
                                           size, 0.35 * 59 + 0.013);
     EXPECT_GT(decoder.rmsError(), 0.7 * found - 0.003) << "level " << decoder.level();
-    // Between the few vertices of the base the sphere is further away than they are.
+    // Between the few vertices of the base the sphere is further away than at them.
     if (decoder.level() > 0) {
       EXPECT_LT(decoder.rmsError(), 1.4 * found + 0.003) << "level " << decoder.level();
     }
   }
 }
 
-TEST(Prefix, whatIsMissingCounts) {
-  // The second ball lies between the planes of all octaves of step 4 and more.
+TEST(Prefix, missingComponentsCountAsError) {
+  // The second ball lies between the planes of all levels of step 4 and more.
   const Size size{65, 33, 33};
   const auto field = sampled("two balls", size, [](double x, double y, double z) {
     return std::max(7 - std::hypot(x - 16, y - 16, z - 16),
@@ -135,8 +135,8 @@ TEST(Prefix, aTornLayerIsNoWorseThanNone) {
   }
 }
 
-TEST(Prefix, theOctaveBeforeTheFinestIsDisplaced) {
-  // A plane that lies a step off where the signs of that octave put it.
+TEST(Prefix, theLevelBeforeTheFinestIsDisplaced) {
+  // The plane lies a step off the place where the signs of that level put it.
   const Size size{49, 49, 49};
   const Bytes bytes = encoded(sampled(
       "plane", size, [](double x, double y, double z) { return z - 21.9 - 0.02 * x + 0.01 * y; }));
@@ -161,7 +161,7 @@ TEST(Prefix, theOctaveBeforeTheFinestIsDisplaced) {
   EXPECT_LT(displaced->error, displaced[-1].error);
 }
 
-TEST(Prefix, layersSayWhereTheyEnd) {
+TEST(Prefix, layersStateWhereTheyEnd) {
   const Bytes bytes = encoded(sampled("gyroid", {30, 20, 25}, gyroid()));
   const StreamInfo whole = decoderOf(bytes).info();
   ASSERT_FALSE(whole.layers.empty());
@@ -177,7 +177,7 @@ TEST(Prefix, layersSayWhereTheyEnd) {
   EXPECT_EQ(whole.layers.back().offset, bytes.size());
 }
 
-TEST(Prefix, inspectTellsWhatTheDecoderTells) {
+TEST(Prefix, inspectAgreesWithTheDecoder) {
   const auto field = sampled("gyroid", {30, 20, 25}, gyroid());
   const Bytes bytes = encoded(field);
   StreamInfo found;

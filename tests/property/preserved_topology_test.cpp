@@ -13,11 +13,10 @@
 namespace isostar {
 namespace {
 
-/// A component's Euler characteristic and the edges with one triangle only, as whether there are
-/// any.
+/// A component: its Euler characteristic, and whether it has edges with a single triangle.
 using Piece = std::pair<int64_t, bool>;
 
-/// The pieces of a mesh, in order.
+/// The components of a mesh, sorted.
 std::vector<Piece> piecesOf(const Mesh& mesh) {
   std::vector<uint32_t> root(verticesOf(mesh));
   std::iota(root.begin(), root.end(), 0u);
@@ -65,8 +64,8 @@ std::vector<SampledField> delicateFields() {
           fieldOf("leaky box", leakyBox())};
 }
 
-/// Each layer's surface, by both polygonizers where the stream is of `tetrahedra`: those are safe
-/// by the mesh itself.
+/// Checks the surface of each layer; with both polygonizers if the stream is for `tetrahedra`,
+/// whose topology the mesh itself guarantees.
 void expectOneTopology(const SampledField& field, const EncodeOptions& options) {
   const Bytes bytes = encoded(field, options);
   const auto finest = piecesOf(decoded(bytes, {options.polygonizer, Frame::Grid, false}));
@@ -98,14 +97,14 @@ TEST(PreservedTopology, holdsOnShapesThatTheBoxCuts) {
   }
 }
 
-TEST(PreservedTopology, isLostWithoutIt) {
+TEST(PreservedTopology, isLostWithoutTheOption) {
   for (const auto& field : delicateFields()) {
     const Bytes bytes = encoded(field);
     const auto finest = piecesOf(decoded(bytes));
     bool all = true;
     for (const LayerInfo& layer : infoOf(bytes).layers)
       all = all && piecesOf(meshOf(decoderOf(std::span(bytes).first(layer.offset)))) == finest;
-    EXPECT_FALSE(all) << field.name << " is no test";
+    EXPECT_FALSE(all) << field.name << " does not test anything";
   }
 }
 
@@ -134,7 +133,7 @@ TEST(PreservedTopology, isForVolumesOnly) {
   EXPECT_EQ(encode(Image{samples, {2, 2}}, preserving(), bytes), Error::BadArgument);
 }
 
-TEST(PreservedTopology, goesWithFurtherIsovalues) {
+TEST(PreservedTopology, combinesWithFurtherIsovalues) {
   const auto field = delicateFields().front();
   EncodeOptions options = preserving();
   options.furtherIsovalues = {0.3};
@@ -144,38 +143,37 @@ TEST(PreservedTopology, goesWithFurtherIsovalues) {
   EXPECT_EQ(mesh.indices, decoded(encoded(field, plain), {.isovalue = 0.3}).indices);
 }
 
-/// One vertex against what becomes of the whole surface.
-TEST(SignTurns, whatPassesChangesNoPiece) {
-  uint64_t dice = 1;
-  const auto throwDice = [&] {
-    return (dice = dice * 6364136223846793005u + 1442695040888963407u) >> 33;
+/// The answer for one vertex is compared with the change of the whole surface.
+TEST(SignFlips, thatAreAllowedChangeNoComponent) {
+  uint64_t state = 1;
+  const auto draw = [&] {
+    return (state = state * 6364136223846793005u + 1442695040888963407u) >> 33;
   };
-  std::map<bool, int> answers;
+  std::map<bool, int> counts;
   for (int i = 0; i < 400; ++i) {
     SampledField field{"noise", {4, 5, 4}, {}};
     Signs<3> signs(Lattice<3>({3, 4, 3}, 1));
-    const uint64_t share = 1 + throwDice() % 7;
+    const uint64_t share = 1 + draw() % 7;
     for (int32_t z = 0; z < 4; ++z)
       for (int32_t y = 0; y < 5; ++y)
         for (int32_t x = 0; x < 4; ++x) {
-          field.samples.push_back(throwDice() % 8 < share ? 1 : -1);
+          field.samples.push_back(draw() % 8 < share ? 1 : -1);
           signs.set({x, y, z}, field.samples.back() > 0);
         }
-    const Coordinates<3> v{static_cast<int32_t>(throwDice() % 4),
-                           static_cast<int32_t>(throwDice() % 5),
-                           static_cast<int32_t>(throwDice() % 4)};
+    const Coordinates<3> v{static_cast<int32_t>(draw() % 4), static_cast<int32_t>(draw() % 5),
+                           static_cast<int32_t>(draw() % 4)};
     const auto before = piecesOf(sourceMesh(field, {.normals = false}));
     float& sample = field.samples[static_cast<std::size_t>(v[0] + 4 * (v[1] + 5 * v[2]))];
     sample = -sample;
     const auto after = piecesOf(sourceMesh(field, {.normals = false}));
     const bool keeps = flipKeepsTopology(signs, v);
-    ++answers[keeps];
+    ++counts[keeps];
     if (keeps) {
       EXPECT_EQ(after, before);
     }
   }
-  EXPECT_GT(answers[true], 20);
-  EXPECT_GT(answers[false], 20);
+  EXPECT_GT(counts[true], 20);
+  EXPECT_GT(counts[false], 20);
 }
 
 }  // namespace

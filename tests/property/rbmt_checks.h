@@ -1,5 +1,4 @@
-// What every mesh of the RBMT must be (§4.2, §4.3), checked without using its arithmetic of
-// diamonds.
+// Checks of meshes of the RBMT (§4.2, §4.3) that do not use the closed form of its diamonds.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -55,8 +54,8 @@ int64_t volumeOf(const Hierarchy<D>& hierarchy, const TaggedSimplex<D>& s) {
   return static_cast<int64_t>(std::lround(determinant));
 }
 
-/// Leaves fill the box once, meet face to face, and neighbours differ by a level at most. All in
-/// positions: vertices beyond the box's end count as where they lie.
+/// Leaves fill the box once, meet face to face, and the depths of neighbours differ by one at most.
+/// All by position: vertices beyond the box lie at its end.
 template <int D>
 void expectConformingAndRegular(const Rbmt<D>& mesh) {
   const auto& hierarchy = mesh.hierarchy();
@@ -87,7 +86,7 @@ void expectConformingAndRegular(const Rbmt<D>& mesh) {
       }
     }
     ASSERT_EQ(maxDepth.size(), boundary ? 1u : 2u) << "leaves of a facet";
-    ASSERT_LE(std::abs(maxDepth.front() - maxDepth.back()), 1) << "levels of neighbours";
+    ASSERT_LE(std::abs(maxDepth.front() - maxDepth.back()), 1) << "depths of neighbours";
   }
 }
 
@@ -111,7 +110,7 @@ void expectClosed(const Rbmt<D>& mesh) {
   }
 }
 
-/// Any vertex but those of the base that has simplices in the box.
+/// A random vertex that is not of the base and has simplices in the box.
 template <int D>
 Coordinates<D> anyVertex(const Hierarchy<D>& hierarchy, std::mt19937& dice) {
   const auto lattice = hierarchy.paddedLattice();
@@ -130,7 +129,7 @@ struct Box {
   Coordinates<D> last;
   int finestLevel;
 };
-/// Boxes with whole and torn cells, thin ones, ones smaller than a cell of the base.
+/// Boxes with whole and cut cells, thin ones, and ones smaller than a cell of the base.
 template <int D>
 std::vector<Box<D>> boxes() {
   if constexpr (D == 2)

@@ -7,12 +7,13 @@ namespace isostar {
 namespace {
 
 template <class Dimension>
-class RbmtTest : public testing::Test {};
+class RbmtTransitionsTest : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
                                   std::integral_constant<int, 4>>;
-TYPED_TEST_SUITE(RbmtTest, Dimensions);
+TYPED_TEST_SUITE(RbmtTransitionsTest, Dimensions);
 
-/// The set's law alone, by brute force: what must come before v, or go before it.
+/// The order of splits alone, by brute force: the vertices that must be split before v, or welded
+/// before it.
 template <int D, class Next>
 Points<D> reachable(const Coordinates<D>& v, Next next) {
   Points<D> all{v};
@@ -51,19 +52,19 @@ Points<D> dependentsByForce(const Rbmt<D>& mesh, const typename Hierarchy<D>::Ve
   });
 }
 
-TYPED_TEST(RbmtTest, anySequenceLeavesAConformingRegularMesh) {
+TYPED_TEST(RbmtTransitionsTest, anySequenceLeavesAConformingRegularMesh) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
     for (unsigned seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(testing::Message()
                    << "box " << box.last[0] << ' ' << box.last[1] << ", seed " << seed);
-      std::mt19937 dice(seed);
+      std::mt19937 random(seed);
       auto mesh = seed == 3 ? Rbmt<D>::full(hierarchy) : Rbmt<D>(hierarchy);
       typename Rbmt<D>::Vertices changed;
       for (int step = 0; step < 40; ++step) {
-        const auto v = anyVertex(hierarchy, dice);
-        if (dice() % 3 != 0) {
+        const auto v = anyVertex(hierarchy, random);
+        if (random() % 3 != 0) {
           mesh.split(v, changed);
           EXPECT_TRUE(mesh.contains(v));
         } else {
@@ -78,15 +79,15 @@ TYPED_TEST(RbmtTest, anySequenceLeavesAConformingRegularMesh) {
   }
 }
 
-TYPED_TEST(RbmtTest, transitionsAreLeastAndInOrder) {
+TYPED_TEST(RbmtTransitionsTest, transitionsAreLeastAndInOrder) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
-    std::mt19937 dice(7);
+    std::mt19937 random(7);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices planned, changed, local;
     for (int step = 0; step < 20; ++step) {
-      const auto v = anyVertex(hierarchy, dice);
+      const auto v = anyVertex(hierarchy, random);
       const bool weld = mesh.contains(v);
       weld ? mesh.dependents(v, planned) : mesh.missing(v, planned);
       EXPECT_EQ(planned.back(), v);
@@ -106,15 +107,15 @@ TYPED_TEST(RbmtTest, transitionsAreLeastAndInOrder) {
   }
 }
 
-TYPED_TEST(RbmtTest, aWeldUndoesItsSplit) {
+TYPED_TEST(RbmtTransitionsTest, aWeldUndoesItsSplit) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
-    std::mt19937 dice(11);
+    std::mt19937 random(11);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices added, removed;
     for (int step = 0; step < 20; ++step) {
-      const auto v = anyVertex(hierarchy, dice);
+      const auto v = anyVertex(hierarchy, random);
       const auto before = verticesOf(mesh);
       mesh.split(v, added);
       const auto after = verticesOf(mesh);
@@ -131,7 +132,7 @@ TYPED_TEST(RbmtTest, aWeldUndoesItsSplit) {
   }
 }
 
-TYPED_TEST(RbmtTest, parentsAreTheNewestVerticesAround) {
+TYPED_TEST(RbmtTransitionsTest, parentsAreTheNewestVerticesAround) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
@@ -153,13 +154,13 @@ TYPED_TEST(RbmtTest, parentsAreTheNewestVerticesAround) {
   }
 }
 
-TYPED_TEST(RbmtTest, theClosedFormOfADiamondIsTheMeshAroundItsEdge) {
+TYPED_TEST(RbmtTransitionsTest, theClosedFormOfADiamondIsTheMeshAroundItsEdge) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
-    std::mt19937 dice(13);
+    std::mt19937 random(13);
     for (int step = 0; step < 12; ++step) {
-      const auto v = anyVertex(hierarchy, dice);
+      const auto v = anyVertex(hierarchy, random);
       Rbmt<D> mesh(hierarchy);
       typename Rbmt<D>::Vertices changed;
       mesh.split(v, changed);
@@ -177,14 +178,14 @@ TYPED_TEST(RbmtTest, theClosedFormOfADiamondIsTheMeshAroundItsEdge) {
   }
 }
 
-TYPED_TEST(RbmtTest, starsAreTheLeavesThatHaveTheVertex) {
+TYPED_TEST(RbmtTransitionsTest, starsAreTheLeavesThatHaveTheVertex) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
-    std::mt19937 dice(17);
+    std::mt19937 random(17);
     Rbmt<D> mesh(hierarchy);
     typename Rbmt<D>::Vertices changed;
-    for (int step = 0; step < 6; ++step) mesh.split(anyVertex(hierarchy, dice), changed);
+    for (int step = 0; step < 6; ++step) mesh.split(anyVertex(hierarchy, random), changed);
     std::map<Coordinates<D>, std::set<std::array<Coordinates<D>, D + 1>>> holders;
     for (const auto& leaf : leavesOf(mesh)) {
       for (const auto& v : leaf.vertices) holders[v].insert(leaf.vertices);
@@ -198,8 +199,9 @@ TYPED_TEST(RbmtTest, starsAreTheLeavesThatHaveTheVertex) {
   }
 }
 
-/// Octaves of the RBMT are the codec's: Kuhn's simplices on the planes of a Lattice.
-TYPED_TEST(RbmtTest, wholeOctavesAreTheLatticesOfTheCodec) {
+/// The refinement levels of the RBMT are those of the codec: Kuhn simplices on the planes of a
+/// Lattice.
+TYPED_TEST(RbmtTransitionsTest, wholeLevelsAreTheLatticesOfTheCodec) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
@@ -217,7 +219,7 @@ TYPED_TEST(RbmtTest, wholeOctavesAreTheLatticesOfTheCodec) {
         }
         simplices.insert(points);
       }
-      EXPECT_TRUE(leaves == simplices) << "octave " << level;
+      EXPECT_TRUE(leaves == simplices) << "level " << level;
       const auto full = Rbmt<D>::full(hierarchy);
       typename Rbmt<D>::Vertices added;
       for (int depth = level * D + 1; level < box.finestLevel && depth <= level * D + D; ++depth) {
@@ -232,7 +234,7 @@ TYPED_TEST(RbmtTest, wholeOctavesAreTheLatticesOfTheCodec) {
   }
 }
 
-TEST(Rbmt, boxesOfAllShapesOnceMore) {
+TEST(RbmtTransitions, leaveBoxesOfAllShapesConforming) {
   struct {
     Coordinates<3> last;
     int finestLevel;
@@ -240,18 +242,18 @@ TEST(Rbmt, boxesOfAllShapesOnceMore) {
   for (const auto& box : cases) {
     const Hierarchy<3> hierarchy(box.last, box.finestLevel);
     Rbmt<3> mesh(hierarchy);
-    std::mt19937 dice(19);
+    std::mt19937 random(19);
     Rbmt<3>::Vertices changed;
     for (int step = 0; step < 60; ++step) {
-      const auto v = anyVertex(hierarchy, dice);
-      dice() % 4 != 0 ? mesh.split(v, changed) : mesh.weld(v, changed);
+      const auto v = anyVertex(hierarchy, random);
+      random() % 4 != 0 ? mesh.split(v, changed) : mesh.weld(v, changed);
     }
     expectConformingAndRegular(mesh);
     expectClosed(mesh);
   }
 }
 
-TEST(Rbmt, aBoxWithoutExtentHasNoSimplices) {
+TEST(RbmtTransitions, leaveABoxWithoutExtentEmpty) {
   const Hierarchy<3> hierarchy({0, 5, 5}, 2);
   EXPECT_TRUE(leavesOf(Rbmt<3>::full(hierarchy)).empty());
   Rbmt<3> mesh(hierarchy);

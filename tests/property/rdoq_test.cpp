@@ -1,13 +1,13 @@
-// Streams may tell scalars that are not quite the source's, so that crossings lie nearer to where
-// they should.
+// RDOQ: streams may hold scalars that differ from the source's, so that crossings lie nearer to
+// their actual positions.
 #include "round_trip.h"
 #include "surface_checks.h"
 
 namespace isostar {
 namespace {
 
-/// RMS distance of vertices from the tangential planes of the source's vertices of the same number,
-/// grid steps.
+/// The RMS distance of vertices from the tangent planes at the source's vertices of the same
+/// number, in grid steps.
 double across(const Mesh& mesh, const Mesh& source) {
   double sum = 0;
   for (uint32_t i = 0; i < verticesOf(source); ++i) {
@@ -18,8 +18,7 @@ double across(const Mesh& mesh, const Mesh& source) {
   return std::sqrt(sum / static_cast<double>(verticesOf(source)));
 }
 
-/// Of the surface that a stream's layers up to the last one of its first isovalue tell, and how
-/// many bytes they take.
+/// The error of the surface of the first isovalue, and the bytes of the layers up to its last one.
 struct Rate {
   double rms;
   uint64_t bytes;
@@ -36,7 +35,7 @@ Rate rateOf(const SampledField& field, EncodeOptions options) {
   return rate;
 }
 
-TEST(RdoqTarget, bringsSurfacesNearerForNoMoreBytes) {
+TEST(Rdoq, bringsSurfacesNearerForNoMoreBytes) {
   const Size size{48, 48, 48};
   const Field rough = noise(3), smooth = gyroid(17);
   for (const double roughness : {0.0, 0.1}) {
@@ -44,18 +43,17 @@ TEST(RdoqTarget, bringsSurfacesNearerForNoMoreBytes) {
       return smooth(x, y, z) + roughness * rough(x, y, z);
     });
     for (const int effort : {1, 2}) {
-      EncodeOptions aimed, true_;
-      aimed.effort = true_.effort = effort;
-      true_.furtherIsovalues = {
-          50};  // beyond all samples; with further isovalues the truth is told
-      const Rate near = rateOf(field, aimed), rate = rateOf(field, true_);
-      EXPECT_LT(near.rms, 0.93 * rate.rms);
-      EXPECT_LT(near.bytes, rate.bytes * 101 / 100);
+      EncodeOptions withRdoq, without;
+      withRdoq.effort = without.effort = effort;
+      without.furtherIsovalues = {50};  // beyond all samples; further isovalues turn RDOQ off
+      const Rate with = rateOf(field, withRdoq), plain = rateOf(field, without);
+      EXPECT_LT(with.rms, 0.93 * plain.rms);
+      EXPECT_LT(with.bytes, plain.bytes * 101 / 100);
     }
   }
 }
 
-TEST(RdoqTarget, holdsTheBoundWhereScalarsAreRough) {
+TEST(Rdoq, holdsTheBoundWhereScalarsAreRough) {
   for (const uint64_t seed : {1, 2, 3, 4}) {
     const Field rough = noise(seed);
     const SampledField field = sampled("rough", {30, 31, 29}, [&](double x, double y, double z) {

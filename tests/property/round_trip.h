@@ -1,4 +1,4 @@
-// Through the public API: a volume to a stream, a stream to a mesh.
+// Round trips through the public API: volume to stream, stream to mesh.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ inline StreamInfo infoOf(const Bytes& bytes) {
   return info;
 }
 
-/// A decoder that has heard a prefix and been told that no more will come. Its bytes are a copy of
-/// their very length.
+/// A decoder that has received a prefix and finish(), and has advanced as far as it can. It decodes
+/// a copy of exactly the right length, so that the address sanitizer sees an overrun.
 inline Decoder decoderOf(std::span<const std::byte> prefix, const Limits& limits = {}) {
   const Bytes copy(prefix.begin(), prefix.end());
   Decoder decoder(limits);

@@ -36,13 +36,13 @@ inline SampledField sampled(std::string name, const Size& size, const Field& fie
   return result;
 }
 
-/// The same within a domain, told by the distance to its boundary.
+/// The same field within a domain, which is given by the distance to its boundary.
 inline SampledField within(const Field& domain, SampledField field) {
   field.domain = sampled("domain", field.size, domain).samples;
   return field;
 }
 
-/// Where n · p is above a limit; n is a unit vector.
+/// Positive where n · p is above a limit; n is a unit vector.
 inline Field halfSpace(const std::array<double, 3>& n, double limit) {
   return [=](double x, double y, double z) { return n[0] * x + n[1] * y + n[2] * z - limit; };
 }
@@ -77,7 +77,7 @@ inline Field plane() {
   return [](double x, double y, double z) { return 0.41 * x + 0.3 * y - 0.7 * z + 0.9; };
 }
 
-/// In -1 … 1, the same on every machine.
+/// Values in -1 … 1, the same on every machine.
 inline Field noise(uint64_t seed = 1) {
   return [=](double x, double y, double z) {
     uint64_t h = seed;
@@ -89,7 +89,7 @@ inline Field noise(uint64_t seed = 1) {
   };
 }
 
-/// Each kind of field at one size.
+/// One field of each kind, all of one size.
 inline std::vector<SampledField> fieldsOf(const Size& size) {
   const Field scan = gyroid(7), rough = noise(3);
   return {sampled("sphere", size, sphere(size)),

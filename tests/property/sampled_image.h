@@ -1,4 +1,4 @@
-// Images with known contours, of any size; and a picture of one for a failing test.
+// Images with known contours, of any size, and a drawing of one for the message of a failing test.
 #pragma once
 
 #include "round_trip.h"
@@ -29,7 +29,7 @@ inline SampledImage sampledImage(std::string name, const ImageSize& size,
   return result;
 }
 
-/// Each kind of image at one size; the isovalue is 0.5.
+/// One image of each kind, all of one size; the isovalue is 0.5.
 inline std::vector<SampledImage> imagesOf(const ImageSize& size) {
   const double middleX = 0.5 * (size[0] - 1), middleY = 0.5 * (size[1] - 1),
                radius = 0.35 * std::min(size[0], size[1]);
@@ -56,7 +56,7 @@ inline std::vector<SampledImage> imagesOf(const ImageSize& size) {
 inline const std::vector<ImageSize> kImageSizes{{2, 2},  {3, 5},  {9, 9},   {33, 20},
                                                 {64, 9}, {2, 40}, {100, 77}};
 
-/// Its signs as a screen shows them, the first row below.
+/// Its signs as text, the first row at the bottom.
 inline std::string drawn(const SampledImage& image, double isovalue = 0.5) {
   std::string rows = image.name + " of " + std::to_string(image.size[0]) + "x" +
                      std::to_string(image.size[1]) + "\n";

@@ -54,7 +54,7 @@ Coordinates<D> cube(int32_t last) {
   return box;
 }
 
-/// The distance to a sphere a little off the middle, positive inside.
+/// The distance to a sphere slightly off the centre, positive inside.
 template <int D>
 SampledShape<D> sampledBall(int32_t last) {
   return SampledShape<D>(cube<D>(last), [=](const Vector<D>& p) {

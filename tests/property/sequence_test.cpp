@@ -35,7 +35,7 @@ SampledSequence sampledSequence(std::string name, const Size& size, int32_t fram
   return result;
 }
 
-/// A ball that grows by half a sample a frame.
+/// A ball that grows by half a sample per frame.
 double ball(double x, double y, double z, double t) {
   return 2.3 + 0.5 * t - std::hypot(x - 8, y - 7, z - 7.5);
 }
@@ -68,7 +68,7 @@ MeshOptions at(double time, Polygonizer polygonizer = Polygonizer::Cubes) {
   return {polygonizer, Frame::Grid, false, time};
 }
 
-/// The same triangles, and vertices apart by no more than a bound.
+/// Expects the same triangles, and vertices that are no further apart than a bound.
 void expectNear(const Mesh& found, const Mesh& expected, double bound) {
   ASSERT_EQ(found.indices, expected.indices);
   ASSERT_EQ(found.positions.size(), expected.positions.size());
@@ -76,7 +76,7 @@ void expectNear(const Mesh& found, const Mesh& expected, double bound) {
     EXPECT_NEAR(found.positions[i], expected.positions[i], bound);
 }
 
-TEST(SequenceSurface, losslessEachFrameIsThatVolumesOwn) {
+TEST(SequenceSurface, eachFrameIsItsVolumesSurfaceWhenLossless) {
   for (const SampledSequence& sequence : sequences()) {
     for (const Polygonizer polygonizer : kPolygonizers) {
       EncodeOptions options;
@@ -117,7 +117,7 @@ TEST(SequenceSurface, isCutBetweenFrames) {
     const Mesh mesh = meshOf(decoder, at(time));
     expectClosed(mesh, sequence.size);
     for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
-      // The field is no plane, and between frames not all scalars are known.
+      // The field is not linear, and between frames not all scalars are known.
       EXPECT_NEAR(ball(mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2], time), 0,
                   0.15)
           << time;
@@ -128,7 +128,7 @@ TEST(SequenceSurface, isCutBetweenFrames) {
 TEST(SequenceSurface, movesWithoutJumps) {
   for (const SampledSequence& sequence : sequences()) {
     if (sequence.name == "whole numbers")
-      continue;  // some are the isovalue itself, and positive a moment before
+      continue;  // some samples equal the isovalue, and are positive just before
     EncodeOptions options;
     options.lossless = true;
     const Decoder decoder = decoderOf(encoded(sequence, options));
@@ -158,7 +158,7 @@ TEST(SequenceSurface, eachPrefixShowsEachTime) {
   }
 }
 
-TEST(SequenceSurface, sourceAndStreamAreCutAlike) {
+TEST(SequenceSurface, sourceAndStreamAreCutTheSameWay) {
   const SampledSequence sequence = sequences()[2];
   EncodeOptions options;
   options.lossless = true;

@@ -1,5 +1,5 @@
-// Every level's surface: closed, consistently oriented, of the right genus, with normals towards
-// smaller values.
+// The surface of every level is closed and consistently oriented, has the right genus, and its
+// normals point to smaller values.
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -31,14 +31,15 @@ TEST(Shape, everyLevelIsClosed) {
   }
 }
 
-TEST(Shape, aSphereIsASphereAndATorusATorus) {
+TEST(Shape, aSphereAndATorusHaveTheirGenus) {
   const Size size{40, 40, 40};
   const std::vector<std::pair<SampledField, int64_t>> fields{
       {sampled("sphere", size, sphere(size)), 2}, {sampled("torus", size, torus(size)), 0}};
   for (const auto& [field, euler] : fields) {
     forEachLayer(
         encoded(field), [&, &name = field.name, &expected = euler](const Decoder& decoder) {
-          if (decoder.level() < decoder.levels() - 2) return;  // coarser, the ring may be cut
+          if (decoder.level() < decoder.levels() - 2)
+            return;  // on coarser levels the ring may be cut
           for (const Polygonizer polygonizer : kPolygonizers) {
             SCOPED_TRACE(name + ", " + named(polygonizer) + ", level " +
                          std::to_string(decoder.level()));
@@ -50,7 +51,7 @@ TEST(Shape, aSphereIsASphereAndATorusATorus) {
   }
 }
 
-TEST(Shape, manySmallComponentsAreAllFound) {
+TEST(Shape, allOfManySmallComponentsAreFound) {
   const auto field = sampled("bubbles", {40, 40, 40}, [](double x, double y, double z) {
     return std::fmod(x, 5) == 3 && std::fmod(y, 5) == 2 && std::fmod(z, 5) == 1 ? 1.0 : -0.5;
   });
@@ -59,7 +60,7 @@ TEST(Shape, manySmallComponentsAreAllFound) {
   EXPECT_EQ(shape.euler, 2 * 512);
 }
 
-/// Right-handed, left-handed, oblique; with spacings and an origin.
+/// Right-handed, left-handed and oblique placements, with spacings and an origin.
 std::vector<Placement> placements() {
   Placement flipped, mirrored, oblique;
   flipped.spacing = {0.5, 1, 2};
@@ -82,7 +83,7 @@ Point inWorld(const Placement& p, const Point& sample) {
   return world;
 }
 
-TEST(Shape, normalsPointToSmallerValuesWhateverThePlacement) {
+TEST(Shape, normalsPointToSmallerValuesInAnyPlacement) {
   const Size size{30, 30, 30};
   for (const Placement& placement : placements()) {
     for (auto field : {sampled("sphere", size, sphere(size)), sampled("torus", size, torus(size)),
@@ -101,7 +102,7 @@ TEST(Shape, normalsPointToSmallerValuesWhateverThePlacement) {
   }
 }
 
-TEST(Shape, aSpheresNormalsLeaveItsCentre) {
+TEST(Shape, normalsOfASpherePointAwayFromItsCentre) {
   const Size size{30, 28, 26};
   for (const Placement& placement : placements()) {
     auto field = sampled("sphere", size, sphere(size));
@@ -113,7 +114,7 @@ TEST(Shape, aSpheresNormalsLeaveItsCentre) {
   }
 }
 
-TEST(Shape, worldIsTheGridPlaced) {
+TEST(Shape, worldFrameIsThePlacedGridFrame) {
   for (const Placement& placement : placements()) {
     auto field = sampled("gyroid", {12, 13, 14}, gyroid());
     field.placement = placement;
@@ -129,7 +130,7 @@ TEST(Shape, worldIsTheGridPlaced) {
   }
 }
 
-TEST(Shape, normalsOnlyWhereAskedFor) {
+TEST(Shape, normalsAreOptional) {
   const auto field = sampled("gyroid", {12, 13, 14}, gyroid());
   const Mesh mesh = decoded(encoded(field), {Polygonizer::Cubes, Frame::World, false});
   EXPECT_TRUE(mesh.normals.empty());

@@ -1,4 +1,4 @@
-// What must hold of every mesh that the codec makes.
+// Checks that hold for every mesh that the codec makes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,8 @@ inline uint32_t verticesOf(const Mesh& mesh) {
   return static_cast<uint32_t>(mesh.positions.size() / 3);
 }
 
-/// Whole triples, finite numbers, indices of vertices, unit normals, three vertices a triangle.
+/// Complete triples, finite numbers, valid indices, unit normals, three different vertices in each
+/// triangle.
 inline void expectSound(const Mesh& mesh, bool normals = true) {
   ASSERT_EQ(mesh.positions.size() % 3, 0u);
   ASSERT_EQ(mesh.indices.size() % 3, 0u);
@@ -47,8 +48,8 @@ inline void expectSound(const Mesh& mesh, bool normals = true) {
   }
 }
 
-/// Of a mesh in the grid's frame: each edge has two triangles that run along it in opposite
-/// directions; at the box, or where `ends(point)` says so of both ends, one.
+/// For a mesh in the frame of the grid: each edge has two triangles that run along it in opposite
+/// directions, or one where both ends lie at the box or ends(point) holds for both.
 template <class Ends>
 void expectClosed(const Mesh& mesh, const Size& size, Ends ends) {
   std::map<std::pair<uint32_t, uint32_t>, int> edges;
@@ -73,9 +74,9 @@ inline void expectClosed(const Mesh& mesh, const Size& size) {
   expectClosed(mesh, size, [](const Point&) { return false; });
 }
 
-/// Of a smooth surface: its triangles turn counter-clockwise seen from where their normals point.
-/// Slivers less than `height` high are passed over: vertices that may move by half of that may turn
-/// them.
+/// For a smooth surface: its triangles are counter-clockwise seen from the side of their normals.
+/// Slivers less than `height` high are skipped: where vertices may move by half of that, slivers
+/// may be reversed.
 inline void expectNormalsOnTheOuterSide(const Mesh& mesh, double height) {
   for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
     const Point a = pointAt(mesh.positions, mesh.indices[t]),
@@ -124,8 +125,8 @@ inline Shape shapeOf(const Mesh& mesh) {
   return shape;
 }
 
-/// The furthest apart that two vertices of the same number are, in steps along the smallest
-/// spacing; of grid frames.
+/// The largest distance of two vertices with the same number, both in the frame of the grid, in
+/// steps along the smallest spacing.
 inline double furthest(const Mesh& a, const Mesh& b, const Placement& placement) {
   const double unit = std::min({placement.spacing[0], placement.spacing[1], placement.spacing[2]});
   double most = 0;

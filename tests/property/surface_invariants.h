@@ -22,8 +22,8 @@ struct Invariants {
   }
 };
 
-/// A complex of simplices by the numbers of their vertices; its isosurface has a cell in each
-/// crossing simplex.
+/// A complex of simplices, given by the numbers of their vertices. Its isosurface has one cell in
+/// each crossing simplex.
 class CellularSurface {
  public:
   using Face = std::vector<uint64_t>;  // ascending
@@ -72,7 +72,7 @@ class CellularSurface {
   std::vector<std::size_t> parent_;
 };
 
-/// Of the isosurface in some simplices; vertices are known by their positions.
+/// The invariants of the isosurface in some simplices, whose vertices are identified by position.
 template <int D, class Positive>
 Invariants invariantsOf(const Hierarchy<D>& hierarchy,
                         const std::vector<TaggedSimplex<D>>& simplices, const Positive& positive) {

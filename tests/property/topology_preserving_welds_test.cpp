@@ -1,8 +1,8 @@
-// Welds that topology.h lets pass leave the isosurface's topology alone (§4.3), and careless ones
-// do not.
-#include "bisection/weld_topology.h"
+// Welds that weldKeepsTopology() allows keep the topology of the isosurface (§4.3); others change
+// it.
 #include "bisection/adaptation.h"
 #include "bisection/criteria.h"
+#include "bisection/weld_topology.h"
 #include "delicate_shapes.h"
 #include "rbmt_checks.h"
 #include "surface_invariants.h"
@@ -11,12 +11,12 @@ namespace isostar {
 namespace {
 
 template <class Dimension>
-class WeldTopologyTest : public testing::Test {};
+class TopologyPreservingWeldsTest : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
                                   std::integral_constant<int, 4>>;
-TYPED_TEST_SUITE(WeldTopologyTest, Dimensions);
+TYPED_TEST_SUITE(TopologyPreservingWeldsTest, Dimensions);
 
-/// Signs by position: what a field has.
+/// The signs of a field, by position.
 template <int D>
 struct Noise {
   const Hierarchy<D>* hierarchy;
@@ -32,7 +32,7 @@ struct Noise {
   }
 };
 
-TYPED_TEST(WeldTopologyTest, weldedNoiseKeepsItsInvariants) {
+TYPED_TEST(TopologyPreservingWeldsTest, weldedNoiseKeepsItsInvariants) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
@@ -48,16 +48,16 @@ TYPED_TEST(WeldTopologyTest, weldedNoiseKeepsItsInvariants) {
   }
 }
 
-/// One weld: the isosurface in the star, whose boundary stays as it is.
-TYPED_TEST(WeldTopologyTest, everyWeldKeepsItsStar) {
+/// One weld changes the isosurface in a star only; the boundary of the star stays the same.
+TYPED_TEST(TopologyPreservingWeldsTest, everyWeldKeepsItsStar) {
   constexpr int D = TypeParam::value;
   std::map<bool, int> answers;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
-    std::mt19937 dice(3);
+    std::mt19937 random(3);
     for (unsigned seed = 1; seed <= 150; ++seed) {
       const Noise<D> noise{&hierarchy, seed};
-      const auto v = anyVertex(hierarchy, dice);
+      const auto v = anyVertex(hierarchy, random);
       const auto d = hierarchy.diamond(v);
       std::vector<TaggedSimplex<D>> before, after;
       forEachSimplexOf(d, hierarchy, [&](const TaggedSimplex<D>& s) {
@@ -74,7 +74,8 @@ TYPED_TEST(WeldTopologyTest, everyWeldKeepsItsStar) {
         EXPECT_EQ(old, now) << "vertex " << v[0] << ' ' << v[1] << ", box " << box.last[0] << ' '
                             << box.last[1];
       }
-      // In space a refusal is right, too, unless the box cuts the diamond before its middle.
+      // In three dimensions a refusal is correct, too, unless the box cuts the diamond before its
+      // centre.
       bool cut = false;
       for (int a = 0; a < D; ++a) cut = cut || (d.along(a) && v[a] >= box.last[a]);
       if (D == 3 && !keeps && !cut) {
@@ -92,7 +93,7 @@ struct Named {
   int64_t components, euler;
 };
 
-TEST(WeldTopology, shapesKeepWhatTheyAreWhileTheyCoarsen) {
+TEST(TopologyPreservingWelds, shapesKeepTheirTopologyWhileTheyCoarsen) {
   const Named shapes[] = {{"knot", knot(), 1, 0},
                           {"nested", nested(), 4, 8},
                           {"touching", touching(), 2, -2},
@@ -117,15 +118,15 @@ TEST(WeldTopology, shapesKeepWhatTheyAreWhileTheyCoarsen) {
             [&](const Diamond<3>& d) { return weldKeepsTopology(hierarchy, d.vertex, positive); });
     const auto kept = tubeOf(careful, shape.signs);
     EXPECT_EQ(invariantsOf(hierarchy, kept, positive), before);
-    EXPECT_LT(kept.size() * 3, tube.size()) << "coarse it is";
+    EXPECT_LT(kept.size() * 3, tube.size()) << "the mesh is coarse";
     expectConformingAndRegular(careful);
 
     auto careless = finest;
-    const DistanceBound<3, SampledShape<3>, SampledShape<3>> near(hierarchy, shape.signs, shape,
-                                                                  shape, 2.5);
-    coarsen(careless, allKept(hierarchy, near));
+    const DistanceBound<3, SampledShape<3>, SampledShape<3>> close(hierarchy, shape.signs, shape,
+                                                                   shape, 2.5);
+    coarsen(careless, allKept(hierarchy, close));
     EXPECT_NE(invariantsOf(hierarchy, tubeOf(careless, shape.signs), positive), before)
-        << "the shape is no test";
+        << "the shape does not test anything";
   }
 }
 

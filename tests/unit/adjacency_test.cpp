@@ -1,4 +1,4 @@
-// Neighbours and parents in closed form are those that bisection makes (§4.3).
+// Neighbours and parents in closed form are those that bisection creates (§4.3).
 #include "bisection/adjacency.h"
 
 #include "../property/rbmt_checks.h"
@@ -12,7 +12,7 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
                                   std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(AdjacencyTest, Dimensions);
 
-/// All simplices of a level that are in the box.
+/// All simplices of one depth that are in the box.
 template <int D>
 std::vector<TaggedSimplex<D>> simplicesOf(const Hierarchy<D>& hierarchy, int depth) {
   auto all = leavesOf(Rbmt<D>(hierarchy));
@@ -36,7 +36,7 @@ void expectSame(const TaggedSimplex<D>& a, const TaggedSimplex<D>& b) {
   EXPECT_EQ(a.mirrored, b.mirrored);
 }
 
-TYPED_TEST(AdjacencyTest, theParentIsWhatWasBisected) {
+TYPED_TEST(AdjacencyTest, parentIsTheBisectedSimplex) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);
@@ -51,7 +51,7 @@ TYPED_TEST(AdjacencyTest, theParentIsWhatWasBisected) {
   }
 }
 
-TYPED_TEST(AdjacencyTest, behindEachFaceIsTheOneThatSharesIt) {
+TYPED_TEST(AdjacencyTest, acrossEachFaceIsTheSimplexThatSharesIt) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Hierarchy<D> hierarchy(box.last, box.finestLevel);

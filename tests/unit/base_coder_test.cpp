@@ -11,7 +11,7 @@
 namespace isostar {
 namespace {
 
-/// Octaves of some boxes, also with cells at the end that are too short.
+/// Lattices of some boxes, including boxes whose last cells are cut short.
 template <int D>
 std::vector<Lattice<D>> lattices() {
   std::vector<Lattice<D>> all;
@@ -32,51 +32,49 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
                                   std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(BaseCoderTest, Dimensions);
 
-TYPED_TEST(BaseCoderTest, tellsEachSignOfEachField) {
+TYPED_TEST(BaseCoderTest, decodesEverySignOfEachField) {
   constexpr int D = TypeParam::value;
   for (const auto& lattice : lattices<D>()) {
     for (const auto& field : signFields<D>(lattice.box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(lattice.box));
       const DenseSigns<D> actual(lattice, field.positive);
-      Signs<D> mine(lattice), theirs(lattice);
+      Signs<D> encoded(lattice), found(lattice);
       const auto bytes = coded(actual.bricks(), NoScalars(),
-                               [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
-      EXPECT_TRUE(
-          decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
-      EXPECT_EQ(DenseSigns<D>(mine), actual);
-      EXPECT_EQ(DenseSigns<D>(theirs), actual);
+                               [&](auto& exchange) { BaseCoder<D>().code(exchange, encoded); });
+      EXPECT_TRUE(decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, found); }));
+      EXPECT_EQ(DenseSigns<D>(encoded), actual);
+      EXPECT_EQ(DenseSigns<D>(found), actual);
     }
   }
 }
 
-TYPED_TEST(BaseCoderTest, randomAnswersAreAlwaysSomeSurface) {
+TYPED_TEST(BaseCoderTest, randomDecisionsDecodeToTheSameSigns) {
   constexpr int D = TypeParam::value;
   for (const auto& lattice : lattices<D>()) {
     for (uint64_t seed = 0; seed < 30; ++seed) {
       const double rate = std::array{0.5, 0.1, 0.9, 1.0}[seed % 4];
-      Signs<D> mine(lattice), theirs(lattice);
-      const auto bytes =
-          thrown<D>(seed, rate, [&](auto& exchange) { BaseCoder<D>().code(exchange, mine); });
-      ASSERT_TRUE(
-          decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, theirs); }));
-      ASSERT_EQ(DenseSigns<D>(theirs), DenseSigns<D>(mine)) << "seed " << seed;
+      Signs<D> encoded(lattice), found(lattice);
+      const auto bytes = randomlyCoded<D>(
+          seed, rate, [&](auto& exchange) { BaseCoder<D>().code(exchange, encoded); });
+      ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { BaseCoder<D>().code(exchange, found); }));
+      ASSERT_EQ(DenseSigns<D>(found), DenseSigns<D>(encoded)) << "seed " << seed;
     }
   }
 }
 
-/// Counts for which vertices a sign is asked.
+/// Counts how often the sign of each vertex is coded.
 template <int D>
 struct Counting : EncoderExchange<D, Meter, NoScalars> {
   using Base = EncoderExchange<D, Meter, NoScalars>;
   using Base::Base;
   [[nodiscard]] bool positive(const Coordinates<D>& v) const {
-    ++asked[v];
+    ++queried[v];
     return Base::positive(v);
   }
-  mutable std::map<Coordinates<D>, int> asked;
+  mutable std::map<Coordinates<D>, int> queried;
 };
 
-TYPED_TEST(BaseCoderTest, tellsTheTubesVerticesOnceAndNoOthers) {
+TYPED_TEST(BaseCoderTest, codesTheTubesVerticesOnceAndNoOthers) {
   constexpr int D = TypeParam::value;
   for (const auto& lattice : lattices<D>()) {
     for (const auto& field : signFields<D>(lattice.box)) {
@@ -96,8 +94,8 @@ TYPED_TEST(BaseCoderTest, tellsTheTubesVerticesOnceAndNoOthers) {
       Signs<D> signs(lattice);
       BaseCoder<D>().code(exchange, signs);
       if (tube.empty()) tube.insert(Coordinates<D>{});  // one sign stands for all
-      EXPECT_EQ(exchange.asked.size(), tube.size());
-      for (const auto& [vertex, times] : exchange.asked) {
+      EXPECT_EQ(exchange.queried.size(), tube.size());
+      for (const auto& [vertex, times] : exchange.queried) {
         EXPECT_TRUE(tube.contains(vertex)) << testing::PrintToString(vertex);
         EXPECT_EQ(times, 1) << testing::PrintToString(vertex);
       }
@@ -105,7 +103,7 @@ TYPED_TEST(BaseCoderTest, tellsTheTubesVerticesOnceAndNoOthers) {
   }
 }
 
-TEST(BaseCoder, nothingIsAByteAtMost) {
+TEST(BaseCoder, aUniformLatticeTakesOneByteAtMost) {
   const Lattice<3> lattice({8, 8, 8}, 1);
   for (bool positive : {false, true}) {
     const DenseSigns<3> actual(lattice, [=](const auto&) { return positive; });

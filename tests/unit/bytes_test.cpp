@@ -13,7 +13,7 @@ std::vector<std::byte> bytesOf(std::initializer_list<int> values) {
   return bytes;
 }
 
-TEST(Bytes, varintsComeBackAtEachLength) {
+TEST(Bytes, varintsOfEachLengthRoundTrip) {
   for (int bits = 0; bits < 63; ++bits) {
     for (uint64_t v : {(uint64_t{1} << bits) - 1, uint64_t{1} << bits, (uint64_t{1} << bits) + 1}) {
       if (v >> 63 != 0) continue;
@@ -36,7 +36,7 @@ TEST(Bytes, varintHasNoMoreThanNineBytes) {
   EXPECT_EQ(in.position(), 9u);
 }
 
-TEST(Bytes, littleEndian) {
+TEST(Bytes, areLittleEndian) {
   std::vector<std::byte> out;
   ByteWriter w(out);
   w.u8(0xFE);
@@ -47,7 +47,7 @@ TEST(Bytes, littleEndian) {
   EXPECT_EQ(in.u32(), 0x04030201u);
 }
 
-TEST(Bytes, floatsKeepEachBit) {
+TEST(Bytes, floatsKeepEveryBit) {
   for (double v : {0.0, -0.0, 0.1, -1e300, 5e-324, std::numeric_limits<double>::infinity()}) {
     std::vector<std::byte> out;
     ByteWriter w(out);
@@ -60,7 +60,7 @@ TEST(Bytes, floatsKeepEachBit) {
   }
 }
 
-TEST(Bytes, pastTheEndAreZerosAndItIsSaid) {
+TEST(Bytes, readsZerosPastTheEndAndReportsIt) {
   const auto three = bytesOf({1, 2, 3});
   ByteReader in(three);
   EXPECT_EQ(in.u32(), 0x00030201u);
@@ -71,14 +71,14 @@ TEST(Bytes, pastTheEndAreZerosAndItIsSaid) {
   EXPECT_FALSE(in.malformed());
 }
 
-TEST(Bytes, noBytes) {
+TEST(Bytes, reportsTheOverrunOfAnEmptyInput) {
   ByteReader in{std::span<const std::byte>()};
   EXPECT_FALSE(in.overrun());
   EXPECT_EQ(in.u8(), 0u);
   EXPECT_TRUE(in.overrun());
 }
 
-TEST(Bytes, realNumbersComeBack) {
+TEST(Bytes, realNumbersRoundTrip) {
   const double third = 1.0 / 3;
   for (double v : {0.0, 0.5, -0.05, 500.5, 127.5, 1e9, -1e20, third, 1e-30, 0.957031, double{0.1F},
                    123456.7890123, 0x1p60}) {

@@ -36,7 +36,7 @@ std::set<Segment> outlineOf(const CellCase& shape) {
   return outline;
 }
 
-/// The outline's part in a face, seen as that of a face at zero.
+/// The part of the outline in a face, moved to the face at zero.
 std::set<Segment> inFace(const std::set<Segment>& outline, unsigned axis, bool far) {
   std::set<Segment> part;
   for (auto [a, b] : outline) {

@@ -1,4 +1,4 @@
-// Signs kept plainly, one after the other: what bricks, windows and octaves are compared with.
+// Signs in a plain array: the reference for bricks, windows and refinement levels.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ void forVertices(const Lattice<D>& lattice, Visit visit) {
 template <int D>
 class DenseSigns {
  public:
-  /// `positive` is asked with sample coordinates.
+  /// `positive` takes sample coordinates.
   using Positive = std::function<bool(const Coordinates<D>&)>;
 
   DenseSigns(const Lattice<D>& lattice, const Positive& positive)

@@ -1,5 +1,5 @@
-// Smoothing brings scalars of smooth fields nearer to the truth, within their intervals, and rough
-// ones hardly farther.
+// Dequantization brings scalars of smooth fields nearer to the actual values, within their
+// intervals, and hardly moves those of rough fields away from them.
 #include "estimate/dequantization.h"
 
 #include <gtest/gtest.h>
@@ -12,9 +12,10 @@ namespace isostar {
 namespace {
 
 constexpr int kGradient = 4 * 10,
-              kFloor = 7;  // 2^10 quanta a step; octaves from an eighth of it on
+              kFloor = 7;  // 2^10 quantization steps per grid step; exponents are known from an
+                           // eighth of that on
 
-/// A brick's scalars within a step and a half of the surface, known to octaves.
+/// A brick's scalars within one and a half steps of the surface, known by their exponents.
 template <class Field>
 Scalars<3> codedOf(const BrickTable<3>& table, Field field) {
   Scalars<3> coded(table.total());
@@ -48,7 +49,7 @@ double ball(const Coordinates<3>& v) {
   return 9.4 - std::hypot(v[0] + 3.1, v[1] + 1.7, v[2] + 2.2);
 }
 
-TEST(Dequantization, bringsSmoothFieldsNearer) {
+TEST(Dequantization, reducesTheErrorOfSmoothFields) {
   const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
   const Scalars<3> coded = codedOf(table, ball);
   for (const int finer : {0, 4}) {
@@ -69,7 +70,7 @@ TEST(Dequantization, bringsSmoothFieldsNearer) {
   }
 }
 
-TEST(Dequantization, makesRoughFieldsNoWorse) {
+TEST(Dequantization, keepsTheErrorOfRoughFields) {
   const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
   std::mt19937 random(3);
   std::vector<double> noise(Scalars<3>::kVertices);
@@ -83,7 +84,7 @@ TEST(Dequantization, makesRoughFieldsNoWorse) {
   EXPECT_LT(rmsError(shown, 0, field), 1.01 * before);
 }
 
-TEST(Dequantization, leavesSingleQuantaAndOtherBricksAlone) {
+TEST(Dequantization, keepsExactScalarsAndInactiveBricks) {
   const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
   Scalars<3> coded = codedOf(table, ball);
   auto& brick = coded.writable(0);
@@ -98,7 +99,7 @@ TEST(Dequantization, leavesSingleQuantaAndOtherBricksAlone) {
   EXPECT_EQ(shown.at(0).value[exact], coded.at(0).value[exact]);
 }
 
-TEST(Dequantization, leavesBricksAloneWhereIntervalsHaveBeenHalved) {
+TEST(Dequantization, keepsBricksWhoseMagnitudesHaveBeenRefined) {
   const BrickTable<3> table(Lattice<3>({7, 7, 7}, 1));
   Scalars<3> coded = codedOf(table, ball);
   auto& brick = coded.writable(0);

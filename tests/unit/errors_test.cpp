@@ -8,7 +8,7 @@
 namespace isostar {
 namespace {
 
-TEST(Errors, haveTheNamesOfTheContract) {
+TEST(Errors, haveTheDocumentedNamesAndDistinctDescriptions) {
   const std::array errors{
       Error::None,      Error::BadArgument, Error::NotIsostar, Error::UnsupportedVersion,
       Error::Truncated, Error::Corrupt,     Error::OverLimit};

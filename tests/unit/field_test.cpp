@@ -17,7 +17,7 @@ Coordinates<D> sizeOf(Coordinates<D> box) {
   return box;
 }
 
-/// As bricks keep them, also beyond the lattice: there the last plane goes on.
+/// Compares signs as bricks store them. Beyond the lattice they repeat its last plane.
 template <int D>
 void expectSigns(const Signs<D>& signs, const SignField<D>& field) {
   const auto& lattice = signs.lattice();
@@ -31,9 +31,9 @@ void expectSigns(const Signs<D>& signs, const SignField<D>& field) {
   });
 }
 
-/// On the finest octave, and on those that it holds.
+/// Compares signs on the finest level and on all coarser ones.
 template <int D>
-void expectOctaves(const Coordinates<D>& box) {
+void expectSignsOnAllLevels(const Coordinates<D>& box) {
   SCOPED_TRACE(testing::PrintToString(box));
   for (const auto& field : signFields<D>(box)) {
     std::vector<float> samples;
@@ -49,13 +49,13 @@ void expectOctaves(const Coordinates<D>& box) {
   }
 }
 
-TEST(Field, signsOnEachOctave) {
-  for (int32_t last = 1; last < 40; ++last) expectOctaves<2>({last, 40 - last});
-  expectOctaves<2>({63, 64});
-  expectOctaves<2>({128, 127});
-  expectOctaves<3>({16, 33, 5});
-  expectOctaves<3>({31, 1, 47});
-  expectOctaves<4>({9, 4, 17, 3});
+TEST(Field, signsAreThoseOfTheSamplesOnEachLevel) {
+  for (int32_t last = 1; last < 40; ++last) expectSignsOnAllLevels<2>({last, 40 - last});
+  expectSignsOnAllLevels<2>({63, 64});
+  expectSignsOnAllLevels<2>({128, 127});
+  expectSignsOnAllLevels<3>({16, 33, 5});
+  expectSignsOnAllLevels<3>({31, 1, 47});
+  expectSignsOnAllLevels<4>({9, 4, 17, 3});
 }
 
 TEST(Field, positiveIsAboveTheIsovalueExactly) {
@@ -73,7 +73,7 @@ TEST(Field, positiveIsAboveTheIsovalueExactly) {
   }
 }
 
-TEST(Field, sensibleFindsWhatIsNoNumber) {
+TEST(Field, sensibleRefusesSamplesThatAreNotNumbers) {
   std::vector<float> samples(7 * 5 * 3, 1);
   EXPECT_TRUE(sensible<3>(samples, {7, 5, 3}, 0));
   EXPECT_FALSE(sensible<3>(samples, {7, 5, 4}, 0));
@@ -81,15 +81,15 @@ TEST(Field, sensibleFindsWhatIsNoNumber) {
   EXPECT_FALSE(sensible<3>(samples, {7, 5, 3}, std::nan("")));
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (float& sample : samples) {
-    for (const float strange : {kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
-      sample = strange;
+    for (const float special : {kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+      sample = special;
       EXPECT_FALSE(sensible<3>(samples, {7, 5, 3}, 0));
     }
     sample = 1;
   }
 }
 
-/// A brick's gradient is the median over all crossing edges in it and from the planes before it.
+/// A brick's gradient is the median over all crossing edges in it and from the preceding planes.
 TEST(Field, gradientIsTheMedianDifference) {
   const Coordinates<3> size{21, 17, 12};
   std::mt19937 random(5);
@@ -120,7 +120,7 @@ TEST(Field, gradientIsTheMedianDifference) {
   }
 }
 
-TEST(GridField, findsWhereEdgesOfEachOctaveAreCrossed) {
+TEST(GridField, findsTheCrossingOfAnEdgeOfEachLevel) {
   std::vector<float> samples;
   for (int x = 0; x < 12; ++x) samples.push_back(static_cast<float>(x - 6.25));
   samples.resize(24, 1.0f);

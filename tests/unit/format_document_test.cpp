@@ -1,5 +1,4 @@
-// docs/format.md tells the truth: its example is read out of the page itself and decoded field by
-// field.
+// The example in docs/format.md is correct: it is read out of the page and decoded field by field.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,8 +11,8 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Hexadecimal bytes between the first two backticks of each table row of a section; each row
-/// stands where it says.
+/// The hexadecimal bytes between the first two backticks of each table row of a section. Each row
+/// is checked against the offset that it states.
 Bytes exampleOf(const std::string& path) {
   Bytes bytes;
   bool inside = false;
@@ -33,7 +32,7 @@ Bytes example() {
   return exampleOf(ISOSTAR_DOCUMENTS "/format.md");
 }
 
-TEST(FormatDocument, itsHeaderIsAsItSays) {
+TEST(FormatDocument, headerOfTheExampleIsAsDescribed) {
   const Bytes bytes = example();
   ASSERT_EQ(bytes.size(), 81u);
   Header header;
@@ -57,7 +56,7 @@ TEST(FormatDocument, itsHeaderIsAsItSays) {
   EXPECT_EQ(again, Bytes(bytes.begin(), bytes.begin() + 20));
 }
 
-struct HeadOf {
+struct ExpectedHead {
   std::size_t at;
   LayerKind kind;
   int level;
@@ -66,15 +65,16 @@ struct HeadOf {
   uint32_t checksum;
 };
 
-TEST(FormatDocument, itsLayersAreAsItSays) {
+TEST(FormatDocument, layersOfTheExampleAreAsDescribed) {
   const Bytes bytes = example();
   Header header;
   std::size_t used = 0;
   ASSERT_EQ(read(bytes, header, used), Error::None);
-  for (const HeadOf& expected : {HeadOf{20, LayerKind::Base, 0, 1, 4, 0x7A06},
-                                 HeadOf{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
-                                 HeadOf{39, LayerKind::Exponents, 1, 0.0573, 14, 0xE84B},
-                                 HeadOf{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x1592}}) {
+  for (const ExpectedHead& expected :
+       {ExpectedHead{20, LayerKind::Base, 0, 1, 4, 0x7A06},
+        ExpectedHead{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
+        ExpectedHead{39, LayerKind::Exponents, 1, 0.0573, 14, 0xE84B},
+        ExpectedHead{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x1592}}) {
     LayerHead head;
     ASSERT_EQ(read(std::span(bytes).subspan(expected.at), header, head, used), Error::None);
     EXPECT_EQ(used, 5u);
@@ -88,7 +88,7 @@ TEST(FormatDocument, itsLayersAreAsItSays) {
   }
 }
 
-TEST(FormatDocument, itsPassesAreAsItSays) {
+TEST(FormatDocument, passesOfTheExampleAreAsDescribed) {
   const Bytes bytes = example();
   const std::span<const std::byte> stream(bytes);
   GeometryPass<3> pass;
@@ -107,7 +107,7 @@ TEST(FormatDocument, itsPassesAreAsItSays) {
   EXPECT_EQ(pass.allowed, (GeometryPass<3>::Allowed{0, 6553, 6553, 0, 2621, 0, 0, 0}));
 }
 
-TEST(FormatDocument, itsExampleDecodes) {
+TEST(FormatDocument, exampleDecodes) {
   Decoder decoder;
   decoder.accept(example());
   decoder.finish();
@@ -120,7 +120,7 @@ TEST(FormatDocument, itsExampleDecodes) {
   EXPECT_EQ(mesh.positions.size(), 3 * 50u);
 }
 
-TEST(FormatDocument, itsDecisionsAreAsItSays) {
+TEST(FormatDocument, rangeCoderExampleIsAsDescribed) {
   constexpr std::array<std::pair<bool, uint32_t>, 7> kDecisions{{{true, 32768},
                                                                  {false, 16384},
                                                                  {true, 65512},

@@ -8,40 +8,9 @@
 namespace isostar {
 namespace {
 
-TEST(Interval, isWhatAMagnitudeSaysSeenFromALevel) {
-  Scalars<2>::Brick brick{};
-  brick.set(0, true, 8, 3);
-  brick.set(1, false, 8, 3);
-  const Interval above = Interval::of(brick.value[0], 100),
-                 below = Interval::of(brick.value[1], 100);
-  EXPECT_EQ(above.low, 108);
-  EXPECT_EQ(above.high, 116);
-  EXPECT_EQ(below.low, 84);  // -1 is the first negative level: magnitudes 8 … 15 are -9 … -16
-  EXPECT_EQ(below.high, 92);
-  EXPECT_EQ(above.value(100), brick.value[0]);
-  EXPECT_EQ(below.value(100), brick.value[1]);
-}
-
-TEST(Interval, isNeverNothing) {
-  for (int32_t low = -3; low < 3; ++low) {
-    for (int32_t high = low + 1; high < 4; ++high) {
-      for (int32_t level = -6; level < 6; ++level) {
-        for (const bool side : {false, true}) {
-          const Interval cut = Interval{low, high}.cut(level, side);
-          EXPECT_LT(cut.low, cut.high);
-          if (side)
-            EXPECT_GE(cut.low, level);
-          else
-            EXPECT_LE(cut.high, level);
-        }
-      }
-    }
-  }
-}
-
-/// Levels at the vertices; those above the level in work are positive.
+/// Iso steps at the vertices; vertices at or above the isovalue in work are positive.
 template <int D>
-struct LevelField {
+struct IsoStepField {
   using Value = std::function<int32_t(const Coordinates<D>&)>;
 
   [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {
@@ -49,7 +18,7 @@ struct LevelField {
     for (int32_t& c : v) c *= kBrickSide;
     v[0] += x;
     for (int a = 1; a < D; ++a, r /= kBrickSide) v[a] += static_cast<int32_t>(r % kBrickSide);
-    const int32_t away = value(v) - level;
+    const int32_t away = value(v) - isoStep;
     return static_cast<uint32_t>(away >= 0 ? away : -1 - away);
   }
   [[nodiscard]] int gradient(std::size_t) const { return 24; }
@@ -57,19 +26,19 @@ struct LevelField {
 
   BrickTable<D> table;
   Value value;
-  int32_t level = 0;
+  int32_t isoStep = 0;
 };
 
-/// A first isovalue that is known in part, and further ones told on top of it.
+/// A first isovalue that is known in part, and further ones coded on top of it.
 template <int D>
-class Coding {
+class RoundTrip {
  public:
-  Coding(const Coordinates<D>& box, typename LevelField<D>::Value value)
+  RoundTrip(const Coordinates<D>& box, typename IsoStepField<D>::Value value)
       : lattice_(box, 1),
         field_{BrickTable<D>(lattice_), std::move(value)},
         first_(signsAt(0)),
         scalars_(first_.table().total()) {
-    // Octaves of the first one's tube only.
+    // Of the first isovalue only the exponents in its tube are known.
     ExponentCoder<D> exponents;
     const auto active = activeBricks(first_);
     (void)coded<D>(first_, field_, [&](auto& exchange) {
@@ -77,11 +46,11 @@ class Coding {
     });
   }
 
-  void add(int32_t level) {
-    field_.level = level;
-    const Signs<D> actual = signsAt(level);
+  void add(int32_t isoStep) {
+    field_.isoStep = isoStep;
+    const Signs<D> actual = signsAt(isoStep);
     pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) {
-      side.signs(exchange, {0.0, first_, scalars_}, level, level, 0);
+      side.signs(exchange, {0.0, first_, scalars_}, isoStep, isoStep, 0);
     });
     expectSigns(actual);
     pass(actual, [&](auto& exchange, FurtherIsovalues<D>& side) {
@@ -98,17 +67,17 @@ class Coding {
   }
 
  private:
-  [[nodiscard]] Signs<D> signsAt(int32_t level) const {
-    return DenseSigns<D>(lattice_, [&](const auto& v) { return field_.value(v) >= level; })
+  [[nodiscard]] Signs<D> signsAt(int32_t isoStep) const {
+    return DenseSigns<D>(lattice_, [&](const auto& v) { return field_.value(v) >= isoStep; })
         .bricks();
   }
   template <class Code>
   void pass(const Signs<D>& actual, Code code) {
-    const auto bytes = coded<D>(actual, field_, [&](auto& exchange) { code(exchange, mine_); });
-    EXPECT_TRUE(decoded<D>(bytes, [&](auto& exchange) { code(exchange, theirs_); }));
+    const auto bytes = coded<D>(actual, field_, [&](auto& exchange) { code(exchange, encoder_); });
+    EXPECT_TRUE(decoded<D>(bytes, [&](auto& exchange) { code(exchange, decoder_); }));
   }
   void expectSigns(const Signs<D>& actual) const {
-    const auto& found = theirs_.surfaces().back().signs;
+    const auto& found = decoder_.surfaces().back().signs;
     Coordinates<D> v{};
     for (uint64_t i = 0; i < lattice_.vertices(); ++i) {
       ASSERT_EQ(found.at(v), actual.at(v)) << testing::PrintToString(v);
@@ -117,7 +86,8 @@ class Coding {
   }
   /// Each vertex of the tube has a scalar of its sign, the same on both sides.
   void expectScalars() const {
-    const FurtherSurface<D>&found = theirs_.surfaces().back(), &expected = mine_.surfaces().back();
+    const FurtherSurface<D>&found = decoder_.surfaces().back(),
+          &expected = encoder_.surfaces().back();
     Tube<D> tube;
     for (std::size_t brickIndex = 0; brickIndex < found.active.size(); ++brickIndex) {
       ASSERT_EQ(found.scalars.has(brickIndex), expected.scalars.has(brickIndex));
@@ -134,14 +104,14 @@ class Coding {
   }
 
   Lattice<D> lattice_;
-  LevelField<D> field_;
+  IsoStepField<D> field_;
   Signs<D> first_;
   Scalars<D> scalars_;
-  FurtherIsovalues<D> mine_, theirs_;
+  FurtherIsovalues<D> encoder_, decoder_;
 };
 
 template <int D>
-std::vector<typename LevelField<D>::Value> levelFields() {
+std::vector<typename IsoStepField<D>::Value> isoStepFields() {
   return {
       [](const auto& v) {
         int32_t squares = 0;
@@ -155,36 +125,36 @@ std::vector<typename LevelField<D>::Value> levelFields() {
 
 template <int D>
 void expectDecoded(const Coordinates<D>& box) {
-  for (const auto& field : levelFields<D>()) {
-    Coding<D> coding(box, field);
-    for (const int32_t level : {10, 30, -25, 20, 0, 2000, -2000, 150}) coding.add(level);
+  for (const auto& field : isoStepFields<D>()) {
+    RoundTrip<D> roundTrip(box, field);
+    for (const int32_t isoStep : {10, 30, -25, 20, 0, 2000, -2000, 150}) roundTrip.add(isoStep);
   }
 }
 
-TEST(FurtherIsovalues, isHeardAsTold2D) {
+TEST(FurtherIsovalues, decodeWhatWasEncodedIn2D) {
   for (const auto& box : {Coordinates<2>{16, 16}, {30, 7}, {1, 1}, {0, 5}, {100, 40}})
     expectDecoded<2>(box);
 }
-TEST(FurtherIsovalues, isHeardAsTold3D) {
+TEST(FurtherIsovalues, decodeWhatWasEncodedIn3D) {
   for (const auto& box : {Coordinates<3>{16, 16, 16}, {30, 7, 9}, {1, 1, 1}, {40, 2, 25}})
     expectDecoded<3>(box);
 }
 
-TEST(FurtherIsovalues, anyAnswersAreAStream) {
+TEST(FurtherIsovalues, decodeAnyDecisions) {
   const Lattice<3> lattice({20, 17, 18}, 1);
   const Signs<3> first =
       DenseSigns<3>(lattice, [](const auto& v) { return v[0] + v[1] > 15; }).bricks();
   const Scalars<3> none(first.table().total());
   for (uint64_t seed = 0; seed < 8; ++seed) {
-    FurtherIsovalues<3> dice, decodingSide;
-    for (const int32_t level : {5, -5, 2, (1 << 29) - 1}) {
+    FurtherIsovalues<3> encoder, decoder;
+    for (const int32_t isoStep : {5, -5, 2, (1 << 29) - 1}) {
       const auto run = [&](auto code) {
-        const auto bytes =
-            thrown<3>(seed, seed % 2 == 0 ? 1 : 0.3, [&](auto& exchange) { code(exchange, dice); });
-        EXPECT_TRUE(decoded<3>(bytes, [&](auto& exchange) { code(exchange, decodingSide); }));
+        const auto bytes = randomlyCoded<3>(seed, seed % 2 == 0 ? 1 : 0.3,
+                                            [&](auto& exchange) { code(exchange, encoder); });
+        EXPECT_TRUE(decoded<3>(bytes, [&](auto& exchange) { code(exchange, decoder); }));
       };
       run([&](auto& exchange, FurtherIsovalues<3>& side) {
-        side.signs(exchange, {0.0, first, none}, level, level, 1);
+        side.signs(exchange, {0.0, first, none}, isoStep, isoStep, 1);
       });
       run([&](auto& exchange, FurtherIsovalues<3>& side) {
         side.exponents(exchange, Members::AxisEnds, 3);
@@ -192,7 +162,7 @@ TEST(FurtherIsovalues, anyAnswersAreAStream) {
       run([&](auto& exchange, FurtherIsovalues<3>& side) {
         side.magnitudes(exchange, {Members::AxisEnds, {1, 1, 1, 1, 1, 1, 1, 1}, 30, false});
       });
-      const auto &a = dice.surfaces().back(), &b = decodingSide.surfaces().back();
+      const auto &a = encoder.surfaces().back(), &b = decoder.surfaces().back();
       for (std::size_t brickIndex = 0; brickIndex < a.active.size(); ++brickIndex) {
         ASSERT_EQ(a.signs.brickAt(brickIndex), b.signs.brickAt(brickIndex));
         ASSERT_EQ(a.scalars.at(brickIndex).value, b.scalars.at(brickIndex).value);

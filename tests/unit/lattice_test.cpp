@@ -7,7 +7,7 @@
 namespace isostar {
 namespace {
 
-/// Each box of a side up to 20 samples with each step that halves to 1.
+/// Each box with up to 20 samples along its side, with each step that is a power of two up to 32.
 template <class Check>
 void forEachAxis(Check check) {
   for (int32_t box = 0; box < 20; ++box) {
@@ -18,7 +18,7 @@ void forEachAxis(Check check) {
   }
 }
 
-TEST(Lattice, planesAreMultiplesOfTheStepAndTheBoxesEnd) {
+TEST(Lattice, planesAreTheMultiplesOfTheStepAndTheEndOfTheBox) {
   forEachAxis([](const Lattice<1>& lattice) {
     std::set<int32_t> expected{lattice.box[0]};
     for (int32_t s = 0; s < lattice.box[0]; s += lattice.step) expected.insert(s);
@@ -41,10 +41,10 @@ TEST(Lattice, finerKeepsEachPlane) {
       ASSERT_LE(parent, coarse.last[0]);
       if (fine.isNew(0, plane)) {
         EXPECT_LT(coarse.sample(0, parent), fine.sample(0, plane));
-        ASSERT_LT(parent, coarse.last[0]) << "a fresh plane has one after it";
+        ASSERT_LT(parent, coarse.last[0]) << "a new plane has one after it";
         EXPECT_GT(coarse.sample(0, parent + 1), fine.sample(0, plane));
         EXPECT_EQ(fine.sample(0, plane - 1), coarse.sample(0, parent))
-            << "its neighbours are not fresh";
+            << "its neighbours are not new";
         EXPECT_EQ(fine.sample(0, plane + 1), coarse.sample(0, parent + 1));
       } else {
         EXPECT_EQ(coarse.sample(0, parent), fine.sample(0, plane));
@@ -52,11 +52,11 @@ TEST(Lattice, finerKeepsEachPlane) {
       }
     }
     EXPECT_EQ(static_cast<int32_t>(parents.size()), coarse.last[0] + 1)
-        << "each plane of the coarser octave goes on";
+        << "each plane of the coarser level is kept";
   });
 }
 
-TEST(Lattice, chainsEndAtTheSourcesGrid) {
+TEST(Lattice, refiningEndsAtTheGridOfTheSource) {
   forEachAxis([](Lattice<1> lattice) {
     while (lattice.step > 1) lattice = lattice.finer();
     EXPECT_EQ(lattice.last, lattice.box);
@@ -78,7 +78,7 @@ TEST(Lattice, mirroredStaysInsideAndKeepsTheDistance) {
   });
 }
 
-TEST(Lattice, axesDoNotDisturbOneAnother) {
+TEST(Lattice, axesAreIndependent) {
   const Lattice<3> lattice({4, 0, 9}, 4);
   EXPECT_EQ(lattice.last, (Coordinates<3>{1, 0, 3}));
   EXPECT_EQ(lattice.vertices(), 2u * 1 * 4);
@@ -86,7 +86,7 @@ TEST(Lattice, axesDoNotDisturbOneAnother) {
   EXPECT_EQ(lattice.finer().finer().last, (Coordinates<3>{4, 0, 9}));
 }
 
-TEST(Lattice, hugeBoxes) {
+TEST(Lattice, holdsHugeBoxes) {
   const int32_t most = (1 << 28) - 1;
   const Lattice<3> lattice({most, most, 1}, 1 << 28);
   EXPECT_EQ(lattice.last, (Coordinates<3>{1, 1, 1}));

@@ -37,7 +37,7 @@ Coordinates<D> someBox() {
   return box;
 }
 
-TYPED_TEST(LeavesTest, boxesCrossWhereTheirSamplesDo) {
+TYPED_TEST(LeavesTest, boxesCrossWhereTheirSamplesHaveBothSigns) {
   constexpr int D = TypeParam::value;
   const auto box = someBox<D>();
   for (const auto& field : signFields<D>(box)) {
@@ -45,10 +45,10 @@ TYPED_TEST(LeavesTest, boxesCrossWhereTheirSamplesDo) {
     for (uint64_t seed = 1; seed <= 200; ++seed) {
       Coordinates<D> lowest, highest;
       for (int a = 0; a < D; ++a) {
-        const auto dice = scrambled<D>(box, seed * 8 + static_cast<uint64_t>(a));
-        lowest[a] = static_cast<int32_t>(dice % static_cast<uint64_t>(box[a] + 1));
+        const auto hash = scrambled<D>(box, seed * 8 + static_cast<uint64_t>(a));
+        lowest[a] = static_cast<int32_t>(hash % static_cast<uint64_t>(box[a] + 1));
         highest[a] = std::min(
-            box[a], lowest[a] + static_cast<int32_t>((dice >> 32) % (seed % 2 == 0 ? 3 : 14)));
+            box[a], lowest[a] + static_cast<int32_t>((hash >> 32) % (seed % 2 == 0 ? 3 : 14)));
       }
       std::array<bool, 2> seen{};
       forEachSample<D>(lowest, highest,

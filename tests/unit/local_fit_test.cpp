@@ -1,4 +1,4 @@
-// A fit finds linear fields exactly, bent ones nearly, and never goes beyond its numbers.
+// A fit finds linear fields exactly and curved ones nearly, and its arithmetic never overflows.
 #include "estimate/local_fit.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +12,12 @@
 namespace isostar {
 namespace {
 
-constexpr int kGradient = 4 * 12;  // 2^12 quanta a step
+constexpr int kGradient = 4 * 12;  // 2^12 quantization steps per grid step
 
 template <int D>
 using Offset = std::array<int, D>;
 
-/// Calls visit(offset from the brick's middle, the window's value there) for all of a window.
+/// Calls visit(offset from the brick's middle, value) for each value of a window.
 template <int D, class Visit>
 void forEachOf(ScalarWindow<D>& window, Visit visit) {
   for (std::size_t i = 0; i < window.value.size(); ++i) {
@@ -30,7 +30,7 @@ void forEachOf(ScalarWindow<D>& window, Visit visit) {
   }
 }
 
-/// Scalars of a field known to 2^log2Width quanta, as half quanta.
+/// Scalars of a field, known to 2^log2Width quantization steps, in half steps.
 template <int D, class Field>
 ScalarWindow<D> sampledWindow(Field field, int log2Width) {
   ScalarWindow<D> window;
@@ -52,7 +52,7 @@ LocalFit<D> fitAtMiddle(const ScalarWindow<D>& scalars, bool positive) {
   return LocalFit<D>::of(window, r, kBrickSide / 2, positive);
 }
 
-/// Scaled, a step's gradient is 2^14: in steps.
+/// A fit's magnitude in grid steps: fits scale the gradient of a grid step to 2^14.
 double steps(int32_t magnitude) {
   return magnitude / 16384.0;
 }
@@ -83,7 +83,7 @@ TEST(LocalFit, findsLinearFields) {
   expectLinearFieldsFound<4>();
 }
 
-TEST(LocalFit, seesWhatIsMissingOnOneSide) {
+TEST(LocalFit, findsLinearFieldsWhereOneSideIsUnknown) {
   const auto linear = [](const Offset<3>& offset) {
     return 1500.0 + 3000 * offset[0] - 2000 * offset[2];
   };
@@ -96,7 +96,7 @@ TEST(LocalFit, seesWhatIsMissingOnOneSide) {
   EXPECT_NEAR(steps(fit.linear), 1500.0 / 4096, 0.01);
 }
 
-TEST(LocalFit, followsWhatIsBent) {
+TEST(LocalFit, followsCurvedFields) {
   const auto ball = [](const Offset<3>& offset) {
     return 4096 * (12.3 - std::hypot(offset[0] + 7, offset[1] + 5, offset[2] + 8.5));
   };
@@ -112,10 +112,10 @@ TEST(LocalFit, needsEnoughNeighbours) {
   EXPECT_EQ(fitAtMiddle<3>(scalars, true).known, 0);
 }
 
-/// A scalar in half quanta; `sign` is 1 or -1.
+/// A scalar in half quantization steps; `sign` is 1 or -1.
 using Extreme = std::function<int32_t(std::mt19937& random, int sign)>;
 
-/// The largest numbers there are, of the narrowest and the widest intervals, and any bits.
+/// The largest values of the narrowest and the widest intervals, and random bits.
 const std::vector<Extreme> kExtremes{
     [](std::mt19937& random, int) {
       return std::max(static_cast<int32_t>(random()), -INT32_MAX) | 1;
@@ -132,9 +132,9 @@ const std::vector<Extreme> kExtremes{
     },
 };
 
-/// Fits at each vertex of a brick; signs alternate from vertex to vertex, or are thrown.
+/// Fits at each vertex of a brick; signs alternate from vertex to vertex, or are random.
 template <int D>
-void expectWithinNumbers(int rounds) {
+void expectWithinRange(int rounds) {
   constexpr int kNoGradient = 255;
   std::mt19937 random(D);
   ScalarWindow<D> scalars;
@@ -151,8 +151,8 @@ void expectWithinNumbers(int rounds) {
         for (std::size_t r = 0; r < power(kBrickSide, D - 1); ++r) {
           for (int x = 0; x < kBrickSide; ++x) {
             const auto fit = LocalFit<D>::of(window, r, x, n % 3 == 0);
-            ASSERT_TRUE(fit.linear >= 0 && fit.linear <= 2 * FitWindow<D>::kMost && fit.curved >= 0 &&
-                        fit.curved <= 2 * FitWindow<D>::kMost);
+            ASSERT_TRUE(fit.linear >= 0 && fit.linear <= 2 * FitWindow<D>::kMost &&
+                        fit.curved >= 0 && fit.curved <= 2 * FitWindow<D>::kMost);
           }
         }
       }
@@ -160,10 +160,10 @@ void expectWithinNumbers(int rounds) {
   }
 }
 
-TEST(LocalFit, staysWithinItsNumbers) {
-  expectWithinNumbers<2>(60);
-  expectWithinNumbers<3>(12);
-  expectWithinNumbers<4>(2);
+TEST(LocalFit, staysWithinItsRange) {
+  expectWithinRange<2>(60);
+  expectWithinRange<3>(12);
+  expectWithinRange<4>(2);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ void mix(Coder& coder, bool actual, const std::array<BitModel*, 3>& contexts,
   EXPECT_EQ((Mixer<3>::bit<255, 12>(coder, actual, contexts, weights)), actual);
 }
 
-/// Keeps the last chance that it was asked with.
-struct DecodingSide {
+/// A coder that records the last probability.
+struct ProbabilityRecorder {
   uint32_t probability = 0;
   bool bit(bool actual, uint32_t c) {
     probability = c;
@@ -45,7 +45,7 @@ TEST(Logistic, stretchIsItsInverse) {
   }
 }
 
-TEST(Logistic, isNearTheTrueFunction) {
+TEST(Logistic, isCloseToTheExactFunction) {
   for (int x = -2047; x <= 2047; ++x) {
     const double exact = 65536 / (1 + std::exp(-x / 256.0));
     EXPECT_NEAR(Logistic::squash(x), exact, 30 + exact * 0.02) << x;
@@ -71,12 +71,12 @@ TEST(BitModel, staysWithinBounds) {
 template <int Limit>
 void expectConvergence(double rate) {
   std::mt19937_64 random(5);
-  BitModel probability;
+  BitModel model;
   double sum = 0;
   constexpr int kDecisions = 20000, kSettled = 4000;
   for (int i = 0; i < kDecisions; ++i) {
-    probability.learn<Limit>(static_cast<double>(random() >> 11) < rate * 0x1p53);
-    if (i >= kSettled) sum += probability.value();
+    model.learn<Limit>(static_cast<double>(random() >> 11) < rate * 0x1p53);
+    if (i >= kSettled) sum += model.value();
   }
   EXPECT_NEAR(sum / (kDecisions - kSettled) / kProbabilityOne, rate, 0.01) << Limit;
 }
@@ -90,33 +90,33 @@ TEST(BitModel, convergesToTheRate) {
 }
 
 TEST(BitModel, learnsFastAtFirst) {
-  BitModel probability;
-  for (int i = 0; i < 4; ++i) probability.learn<255>(true);
-  EXPECT_GT(probability.value(), kProbabilityOne * 4 / 5);
+  BitModel model;
+  for (int i = 0; i < 4; ++i) model.learn<255>(true);
+  EXPECT_GT(model.value(), kProbabilityOne * 4 / 5);
 }
 
-TEST(Mixer, saysNothingBeforeItHasSeenAnything) {
+TEST(Mixer, isUndecidedBeforeTheFirstDecision) {
   BitModel a, b, c;
   auto weights = Mixer<3>::initialWeights();
-  DecodingSide decodingSide;
-  mix(decodingSide, true, {&a, &b, &c}, weights);
-  EXPECT_NEAR(decodingSide.probability, kProbabilityOne / 2, kProbabilityOne / 500.0);
+  ProbabilityRecorder recorder;
+  mix(recorder, true, {&a, &b, &c}, weights);
+  EXPECT_NEAR(recorder.probability, kProbabilityOne / 2, kProbabilityOne / 500.0);
 }
 
-/// Bits a decision when one of three contexts tells all and the others nothing.
-TEST(Mixer, findsTheContextThatKnows) {
+/// Bits per decision when one of three contexts is informative and the others are not.
+TEST(Mixer, findsTheInformativeContext) {
   std::mt19937_64 random(9);
-  std::array<BitModel, 2> knows;
-  BitModel blind, deaf;
+  std::array<BitModel, 2> informative;
+  BitModel other, another;
   auto weights = Mixer<3>::initialWeights();
   Meter all, late;
   constexpr int kDecisions = 8000;
   for (int i = 0; i < kDecisions; ++i) {
-    const bool actual = (random() & 1) != 0, seldom = random() % 100 == 0;
-    auto& context = knows[actual != seldom ? 1 : 0];
-    mix(i < kDecisions / 2 ? all : late, actual, {&blind, &context, &deaf}, weights);
+    const bool actual = (random() & 1) != 0, rare = random() % 100 == 0;
+    auto& context = informative[actual != rare ? 1 : 0];
+    mix(i < kDecisions / 2 ? all : late, actual, {&other, &context, &another}, weights);
   }
-  EXPECT_LT(late.bits() / (kDecisions / 2), 0.12);  // entropy of one in hundred: 0.08
+  EXPECT_LT(late.bits() / (kDecisions / 2), 0.12);  // the entropy of one in a hundred is 0.08
 }
 
 TEST(Mixer, agreesWithTheBestOfEqualContexts) {
@@ -127,14 +127,13 @@ TEST(Mixer, agreesWithTheBestOfEqualContexts) {
   EXPECT_LT(meter.bits(), 20);
 }
 
-TEST(Mixer, believesAnEstimateAtOnceAndMoreWhenItIsRight) {
+TEST(Mixer, trustsAnEstimateAtOnceAndMoreWhenItIsRight) {
   BitModel a, b, c;
   auto weights = Mixer<3>::initialWeightsWithEstimate();
-  DecodingSide decodingSide;
+  ProbabilityRecorder recorder;
   const std::array<BitModel*, 3> contexts{&a, &b, &c};
-  Mixer<3>::bit<255, 12>(decodingSide, true, contexts, weights, 512);
-  EXPECT_NEAR(decodingSide.probability, kProbabilityOne / (1 + std::exp(-1.0)),
-              kProbabilityOne / 200.0)
+  Mixer<3>::bit<255, 12>(recorder, true, contexts, weights, 512);
+  EXPECT_NEAR(recorder.probability, kProbabilityOne / (1 + std::exp(-1.0)), kProbabilityOne / 200.0)
       << "half of the estimate's log-odds";
   std::mt19937_64 random(3);
   Meter meter;
@@ -149,10 +148,10 @@ TEST(Mixer, believesAnEstimateAtOnceAndMoreWhenItIsRight) {
 TEST(Mixer, boundsAnEstimate) {
   BitModel a, b, c;
   auto weights = Mixer<3>::initialWeightsWithEstimate();
-  DecodingSide decodingSide;
-  Mixer<3>::bit<255, 12>(decodingSide, true, {&a, &b, &c}, weights, 1 << 30);
-  EXPECT_LE(decodingSide.probability, kProbabilityOne - kLeastProbability);
-  EXPECT_GT(decodingSide.probability, kProbabilityOne * 9 / 10);
+  ProbabilityRecorder recorder;
+  Mixer<3>::bit<255, 12>(recorder, true, {&a, &b, &c}, weights, 1 << 30);
+  EXPECT_LE(recorder.probability, kProbabilityOne - kLeastProbability);
+  EXPECT_GT(recorder.probability, kProbabilityOne * 9 / 10);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
                                   std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(NeighbourhoodTest, Dimensions);
 
-/// The offset of a vertex that a step stands for; it is unique within two planes.
+/// The coordinates of a NeighbourOffset; they are unique within two planes.
 template <int D>
 Coordinates<D> offset(const NeighbourOffset& step) {
   Coordinates<D> d{};
@@ -32,15 +32,15 @@ Coordinates<D> offset(const NeighbourOffset& step) {
 }
 
 template <int D>
-std::set<Coordinates<D>> offsets(const std::array<NeighbourOffset, Neighbourhood<D>::kMost>& steps, int from,
-                                 int count) {
+std::set<Coordinates<D>> offsets(const std::array<NeighbourOffset, Neighbourhood<D>::kMost>& steps,
+                                 int from, int count) {
   std::set<Coordinates<D>> all;
   for (int i = from; i < from + count; ++i)
     EXPECT_TRUE(all.insert(offset<D>(steps[static_cast<std::size_t>(i)])).second);
   return all;
 }
 
-/// How many axes a neighbour is fresh on: 0 for a vertex of the coarser octave.
+/// The number of new axes of a neighbour: 0 for a vertex of the coarser level.
 template <int D>
 int classOf(unsigned newAxes, const Coordinates<D>& d) {
   int axes = 0;
@@ -48,7 +48,7 @@ int classOf(unsigned newAxes, const Coordinates<D>& d) {
   return axes;
 }
 
-TYPED_TEST(NeighbourhoodTest, diamondsHaveTheSizesOfTheTheory) {
+TYPED_TEST(NeighbourhoodTest, diamondsHaveTheTheoreticalSizes) {
   constexpr int D = TypeParam::value;
   for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
     const int axes = __builtin_popcount(newAxes);
@@ -58,12 +58,12 @@ TYPED_TEST(NeighbourhoodTest, diamondsHaveTheSizesOfTheTheory) {
   }
 }
 
-TEST(Neighbourhood, diamondsInSpace) {
+TEST(Neighbourhood, diamondsInThreeDimensionsHoldCornersAndCentres) {
   const Neighbourhood<3> cell(7), face(3), edge(1);
-  EXPECT_EQ(cell.cornerCount + cell.acrossCount, 8) << "a cell's centre sees its corners";
-  EXPECT_EQ(face.cornerCount, 4) << "a face's centre its corners";
+  EXPECT_EQ(cell.cornerCount + cell.acrossCount, 8) << "a cell's centre has the cell's corners";
+  EXPECT_EQ(face.cornerCount, 4) << "a face's centre has the face's corners";
   EXPECT_EQ(face.acrossCount, 2) << "and the centres of both cells";
-  EXPECT_EQ(edge.cornerCount, 2) << "an edge's midpoint its ends";
+  EXPECT_EQ(edge.cornerCount, 2) << "an edge's midpoint has the edge's ends";
   EXPECT_EQ(edge.acrossCount, 8) << "and the centres of four faces and four cells";
 }
 
@@ -71,15 +71,15 @@ TYPED_TEST(NeighbourhoodTest, diamondsHoldVerticesOfEarlierClassesOnly) {
   constexpr int D = TypeParam::value;
   for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
     const Neighbourhood<D> n(newAxes);
-    const int mine = __builtin_popcount(newAxes);
+    const int own = __builtin_popcount(newAxes);
     for (const auto& d : offsets<D>(n.diamond, 0, n.cornerCount))
       EXPECT_EQ(classOf<D>(newAxes, d), 0);
     for (const auto& d : offsets<D>(n.diamond, n.cornerCount, n.acrossCount))
-      EXPECT_GT(classOf<D>(newAxes, d), mine);
+      EXPECT_GT(classOf<D>(newAxes, d), own);
   }
 }
 
-TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndCameBefore) {
+TYPED_TEST(NeighbourhoodTest, siblingsAreOfTheSameClassAndPrecede) {
   constexpr int D = TypeParam::value;
   for (unsigned newAxes = 1; newAxes < 1u << D; ++newAxes) {
     const Neighbourhood<D> n(newAxes);
@@ -106,7 +106,7 @@ TYPED_TEST(NeighbourhoodTest, listsDoNotOverlapAndStayInTheWindow) {
   }
 }
 
-TYPED_TEST(NeighbourhoodTest, slicesAndMasksSeeNothingAndAll) {
+TYPED_TEST(NeighbourhoodTest, slicesAndMasksCountNoneAndAll) {
   constexpr int D = TypeParam::value;
   using N = Neighbourhood<D>;
   RowPacks<D> none, all;
@@ -131,7 +131,7 @@ TYPED_TEST(NeighbourhoodTest, slicesAndMasksSeeNothingAndAll) {
   }
 }
 
-TYPED_TEST(NeighbourhoodTest, diamondIsWhatTheSplitEdgeSees) {
+TYPED_TEST(NeighbourhoodTest, diamondIsAllSimplicesAroundTheSplitEdge) {
   constexpr int D = TypeParam::value;
   // All simplices with the cell's diagonal have the cell's corners, and no more.
   std::set<Coordinates<D>> seen;

@@ -20,7 +20,7 @@ std::vector<Coordinates<D>> boxes() {
   if constexpr (D == 4) return {{2, 3, 4, 5}, {9, 4, 3, 2}};
 }
 
-/// How many of a diamond's vertices are positive, and how many there are, by the definition.
+/// The number of positive vertices of a diamond and of all its vertices, by the definition.
 template <int D>
 std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordinates<D>& v,
                                        unsigned newAxes) {
@@ -32,9 +32,9 @@ std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordin
     bool corner = true, across = false, beside = true;
     Coordinates<D> w;
     for (int a = 0; a < D; ++a) {
-      const bool inO = (newAxes >> a & 1) != 0;
-      corner = corner && (d[a] != 0) == inO;
-      beside = beside && (d[a] == 0 || !inO);
+      const bool isNewAxis = (newAxes >> a & 1) != 0;
+      corner = corner && (d[a] != 0) == isNewAxis;
+      beside = beside && (d[a] == 0 || !isNewAxis);
       across = across || d[a] != 0;
       w[a] = v[a] + d[a];
     }
@@ -45,7 +45,8 @@ std::pair<int, int> positivesOfDiamond(const DenseSigns<D>& signs, const Coordin
   return {positives, all};
 }
 
-/// Calls visit(vertex, its row, its number there) for the members of all classes in all bricks.
+/// Calls visit(vertex, its row, its number in the row) for the members of all classes in all
+/// bricks.
 template <int D, class Visit>
 void forEachNewMember(const Signs<D>& signs, const Signs<D>& absent, Visit visit) {
   NewVertexRows<D> rows;
@@ -66,7 +67,7 @@ void forEachNewMember(const Signs<D>& signs, const Signs<D>& absent, Visit visit
   }
 }
 
-TYPED_TEST(NewVertexRowsTest, areOpenAndAbsentAsTheirDiamondsSay) {
+TYPED_TEST(NewVertexRowsTest, areOpenOrAbsentByTheirDiamonds) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     const Lattice<D> lattice(box, 1);

@@ -28,7 +28,7 @@ double metered(const Decisions& decisions) {
   return meter.bits();
 }
 
-/// Decodes what was encoded from a buffer of its very length, so that the address sanitizer sees an
+/// Decodes from a buffer of exactly the encoded length, so that the address sanitizer sees an
 /// overrun.
 void expectRoundTrip(const Decisions& decisions) {
   const auto bytes = encoded(decisions);
@@ -42,7 +42,7 @@ void expectRoundTrip(const Decisions& decisions) {
             metered(decisions) / 8 + 4 + static_cast<double>(decisions.size()) * 2e-5);
 }
 
-/// Decisions of a source whose chances are drawn by `chance` and come true that often.
+/// Random decisions. `probability` draws the probability of each from a random generator.
 template <class DrawProbability>
 Decisions drawn(std::size_t count, uint64_t seed, DrawProbability probability) {
   std::mt19937_64 random(seed);
@@ -54,13 +54,13 @@ Decisions drawn(std::size_t count, uint64_t seed, DrawProbability probability) {
   return decisions;
 }
 
-TEST(RangeCoder, anyProbabilities) {
+TEST(RangeCoder, roundTripsAnyProbabilities) {
   const uint32_t span = kProbabilityOne - 2 * kLeastProbability + 1;
   for (uint64_t seed = 0; seed < 20; ++seed)
     expectRoundTrip(drawn(5000, seed, [&](auto& r) { return kLeastProbability + r() % span; }));
 }
 
-TEST(RangeCoder, eachFixedProbability) {
+TEST(RangeCoder, roundTripsEachFixedProbability) {
   for (uint32_t probability :
        {kLeastProbability, 100u, 1000u, kProbabilityOne / 3, kProbabilityOne / 2,
         kProbabilityOne - 1000, kProbabilityOne - kLeastProbability}) {
@@ -68,12 +68,12 @@ TEST(RangeCoder, eachFixedProbability) {
   }
 }
 
-TEST(RangeCoder, expectationsThatFailEachTime) {
+TEST(RangeCoder, roundTripsWhereEveryPredictionFails) {
   expectRoundTrip(Decisions(3000, {true, kLeastProbability}));
   expectRoundTrip(Decisions(3000, {false, kProbabilityOne - kLeastProbability}));
 }
 
-TEST(RangeCoder, expectationsThatHoldEachTimeCostNearlyNothing) {
+TEST(RangeCoder, predictionsThatAlwaysHoldCostNearlyNothing) {
   for (const Decision d :
        {Decision{true, kProbabilityOne - kLeastProbability}, Decision{false, kLeastProbability}}) {
     const Decisions decisions(20000, d);
@@ -82,11 +82,11 @@ TEST(RangeCoder, expectationsThatHoldEachTimeCostNearlyNothing) {
   }
 }
 
-/// Decisions after which the interval still holds one half in its inside: all bytes written so far
-/// may yet change by a carry.
-class OnTheFence {
+/// Decisions after which one half is still inside the interval: a carry may still change all bytes
+/// written so far.
+class PendingCarry {
  public:
-  explicit OnTheFence(uint64_t seed) : random_(seed) {}
+  explicit PendingCarry(uint64_t seed) : random_(seed) {}
 
   void stay() {
     const uint32_t probability =
@@ -96,8 +96,8 @@ class OnTheFence {
     if (half_ == split) return;
     code(half_ < split, probability);
   }
-  /// The interval's upper part, above one half: the carry comes; or its lower part: it does not.
-  void jump(bool up) {
+  /// Chooses the interval's upper part, so that the carry happens, or its lower part.
+  void resolve(bool up) {
     for (uint32_t probability = kLeastProbability;
          probability <= kProbabilityOne - kLeastProbability; ++probability) {
       const uint32_t split = (range_ >> 16) * probability;
@@ -117,18 +117,18 @@ class OnTheFence {
 
   std::mt19937_64 random_;
   uint32_t range_ = 0xFFFFFFFFu,
-           half_ = 0x80000000u;  // as the coder's, and where one half lies in it
+           half_ = 0x80000000u;  // the coder's range, and where one half lies in it
   Decisions decisions_;
 };
 
 TEST(RangeCoder, carriesThroughLongRuns) {
   for (uint64_t seed = 0; seed < 300; ++seed) {
-    OnTheFence fence(seed);
-    for (uint64_t i = 0; i < seed * 3; ++i) fence.stay();
+    PendingCarry pending(seed);
+    for (uint64_t i = 0; i < seed * 3; ++i) pending.stay();
     for (bool up : {false, true}) {
-      OnTheFence jumped = fence;
-      jumped.jump(up);
-      auto decisions = jumped.decisions();
+      PendingCarry resolved = pending;
+      resolved.resolve(up);
+      auto decisions = resolved.decisions();
       const auto rest = drawn(seed % 50, seed, [](auto& r) { return 1000 + r() % 60000; });
       decisions.insert(decisions.end(), rest.begin(), rest.end());
       expectRoundTrip(decisions);
@@ -139,7 +139,7 @@ TEST(RangeCoder, carriesThroughLongRuns) {
   }
 }
 
-TEST(RangeCoder, shortRunsOfAllKinds) {
+TEST(RangeCoder, roundTripsAllShortRuns) {
   for (int length = 0; length <= 12; ++length) {
     for (unsigned bits = 0; bits < 1u << length; ++bits) {
       for (uint32_t probability :
@@ -154,20 +154,20 @@ TEST(RangeCoder, shortRunsOfAllKinds) {
   }
 }
 
-TEST(RangeCoder, nothingIsNoBytes) {
+TEST(RangeCoder, noDecisionsTakeNoBytes) {
   EXPECT_TRUE(encoded({}).empty());
 }
 
 TEST(RangeCoder, trailingZerosAreLeftOut) {
   EXPECT_TRUE(encoded(Decisions(7, {true, kProbabilityOne / 2})).empty());
   EXPECT_LE(encoded(Decisions(40, {true, kProbabilityOne / 2})).size(), 40u / 8)
-      << "no more than what the decisions cost";
+      << "no more than the decisions cost";
   std::vector<std::byte> out(5, std::byte{0});
   RangeEncoder(out).finish();
-  EXPECT_EQ(out.size(), 5u) << "what stood before belongs to others";
+  EXPECT_EQ(out.size(), 5u) << "bytes written before are kept";
 }
 
-TEST(RangeCoder, runsStandBehindOneAnother) {
+TEST(RangeCoder, runsCanBeConcatenated) {
   const auto a = drawn(1000, 1, [](auto&r) { return 1000 + r() % 60000; }),
              b = drawn(1000, 2, [](auto&r) { return 1000 + r() % 60000; });
   std::vector<std::byte> out = encoded(a);
@@ -179,7 +179,7 @@ TEST(RangeCoder, runsStandBehindOneAnother) {
   for (const auto& d : b) ASSERT_EQ(decoder.bit(false, d.probability), d.actual);
 }
 
-TEST(RangeCoder, readingOnIsCounted) {
+TEST(RangeCoder, bytesReadPastTheEndAreCounted) {
   RangeDecoder decoder{std::span<const std::byte>()};
   EXPECT_EQ(decoder.overrun(), 4u);
   std::size_t before = decoder.overrun();
@@ -202,7 +202,7 @@ TEST(RangeCoder, anyBytesDecode) {
   }
 }
 
-TEST(RangeCoder, meterAgreesWithTheSize) {
+TEST(RangeCoder, meterAgreesWithTheEncodedSize) {
   for (uint64_t seed = 0; seed < 10; ++seed) {
     const auto decisions =
         drawn(30000, seed, [](auto& r) { return kLeastProbability + r() % 65000; });

@@ -9,7 +9,7 @@
 namespace isostar {
 namespace {
 
-/// A plane mesh in letters, two for a step; y grows downwards.
+/// A drawing of a mesh in two dimensions, two characters per step; y grows downwards.
 class Drawing {
  public:
   explicit Drawing(const Rbmt<2>& mesh)
@@ -66,7 +66,7 @@ o-------o-------o
 )");
 }
 
-TEST(Rbmt, aSplitBringsItsAncestors) {
+TEST(Rbmt, aSplitAddsItsAncestors) {
   const Hierarchy<2> hierarchy({8, 4}, 2);
   Rbmt<2> mesh(hierarchy);
   Rbmt<2>::Vertices added;
@@ -87,8 +87,8 @@ o-------o-------o
 }
 
 TEST(Rbmt, refinementPropagates) {
-  // A vertex on the common side of both cells needs their small cells beside it, hence their
-  // middles.
+  // A vertex on the common side of both cells needs the small cells beside it on either side, and
+  // these need the cells' centres.
   EXPECT_EQ(Drawing(meshWith(Hierarchy<2>({8, 4}, 2), {{7, 1}, {4, 1}})).text(), R"(
 o---o---o---o---o
 |\  |\ /|\ /|\ /|
@@ -102,7 +102,7 @@ o-------o-------o
 )");
 }
 
-TEST(Rbmt, aWeldTakesItsDescendants) {
+TEST(Rbmt, aWeldRemovesItsDescendants) {
   const Hierarchy<2> hierarchy({8, 4}, 2);
   auto mesh = meshWith(hierarchy, {{1, 1}, {7, 3}});
   Rbmt<2>::Vertices removed;
@@ -122,8 +122,8 @@ o-------o---o---o
 )");
 }
 
-TEST(Rbmt, beyondTheBoxVerticesLieAtItsEnd) {
-  // A box of 5 by 2 steps, cells of 4: the right cell ends after a step, both after two. Of the
+TEST(Rbmt, verticesBeyondTheBoxLieAtItsEnd) {
+  // A box of 5 by 2 steps, cells of 4: the right cell ends after one step, both after two. Of the
   // four triangles around the left cell's middle the one below is flat.
   const Hierarchy<2> hierarchy({5, 2}, 2);
   EXPECT_EQ(Drawing(meshWith(hierarchy, {{2, 2}})).text(), R"(

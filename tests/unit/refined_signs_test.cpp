@@ -25,7 +25,7 @@ void expectRefined(const Coordinates<D>& box) {
   }
 }
 
-TEST(Octave, refinedHasTheParentsSigns) {
+TEST(RefinedSigns, haveTheSignsOfTheirParents) {
   for (int32_t last = 0; last < 40; ++last)
     expectRefined<2>({last, 37 - last > 0 ? 37 - last : last});
   expectRefined<3>({16, 33, 5});
@@ -35,8 +35,8 @@ TEST(Octave, refinedHasTheParentsSigns) {
   expectRefined<4>({9, 4, 17, 3});
 }
 
-/// Of the vertices as bricks keep them, also beyond the lattice: does the brick hold both signs, or
-/// touch a vertex of a sign that it lacks?
+/// Does the brick hold both signs, or touch a vertex of a sign that it lacks? Vertices count as
+/// bricks store them, also beyond the lattice.
 template <int D>
 bool activeByForce(const Signs<D>& signs, const Coordinates<D>& brick) {
   bool positive = false, negative = false;
@@ -59,7 +59,7 @@ template <int D>
 void expectActive(const Coordinates<D>& box) {
   SCOPED_TRACE(testing::PrintToString(box));
   for (const auto& field : signFields<D>(box)) {
-    // Beyond the lattice the field goes on, as GridField has it.
+    // Beyond the lattice signs repeat, as in a GridField.
     Coordinates<D> whole;
     for (int a = 0; a < D; ++a) whole[a] = box[a] | (kBrickSide - 1);
     Signs<D> signs{Lattice<D>(box, 1)};
@@ -81,7 +81,7 @@ void expectActive(const Coordinates<D>& box) {
   }
 }
 
-TEST(Octave, activeBricksAreThoseAtTheSurface) {
+TEST(ActiveBricks, areThoseAtTheSurface) {
   expectActive<2>({70, 70});
   expectActive<2>({7, 40});
   expectActive<2>({8, 41});
@@ -93,8 +93,8 @@ TEST(Octave, activeBricksAreThoseAtTheSurface) {
   expectActive<4>({15, 8, 16, 7});
 }
 
-TEST(Octave, eachPairOfUniformBricks) {
-  // Two bricks of which one is positive, far from all else, at each offset to each other.
+TEST(ActiveBricks, areFoundBesideEachPairOfUniformBricks) {
+  // Two positive bricks at each offset from each other; all others are negative.
   const Lattice<2> lattice({47, 47}, 1);
   for (std::size_t a = 0; a < 36; ++a) {
     for (std::size_t b = 0; b < 36; ++b) {

@@ -22,7 +22,7 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
                                   std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(RefinementCoderTest, Dimensions);
 
-/// One side of the hierarchy.
+/// The state of the encoder or of the decoder.
 template <int D>
 struct Side {
   Signs<D> signs;
@@ -35,62 +35,64 @@ struct Side {
   }
 };
 
-TYPED_TEST(RefinementCoderTest, eachOctaveIsTheSources) {
+TYPED_TEST(RefinementCoderTest, decodesTheSignsOfEachLevel) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     for (const auto& field : signFields<D>(box)) {
       SCOPED_TRACE(field.name + " in " + testing::PrintToString(box));
       int32_t step = 8;
-      Side<D> mine{DenseSigns<D>(Lattice<D>(box, step), field.positive).bricks()};
-      Side<D> theirs{mine.signs};
+      Side<D> encoder{DenseSigns<D>(Lattice<D>(box, step), field.positive).bricks()};
+      Side<D> decoder{encoder.signs};
       while (step > 1) {
         step /= 2;
         const DenseSigns<D> actual(Lattice<D>(box, step), field.positive);
         const auto bytes =
-            coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
-        ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
-        ASSERT_EQ(DenseSigns<D>(mine.signs), actual) << "step " << step;
-        ASSERT_EQ(DenseSigns<D>(theirs.signs), actual) << "step " << step;
+            coded(actual.bricks(), NoScalars(), [&](auto& exchange) { encoder.refine(exchange); });
+        ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { decoder.refine(exchange); }));
+        ASSERT_EQ(DenseSigns<D>(encoder.signs), actual) << "step " << step;
+        ASSERT_EQ(DenseSigns<D>(decoder.signs), actual) << "step " << step;
       }
     }
   }
 }
 
-TYPED_TEST(RefinementCoderTest, randomAnswersAreAlwaysSomeSurface) {
+TYPED_TEST(RefinementCoderTest, randomDecisionsDecodeToTheSameSigns) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     for (uint64_t seed = 0; seed < 8; ++seed) {
       const double rate = std::array{0.5, 0.02, 0.98, 1.0}[seed % 4];
-      Side<D> mine{DenseSigns<D>(Lattice<D>(box, 4), signFields<D>(box)[seed].positive).bricks()};
-      Side<D> theirs{mine.signs};
+      Side<D> encoder{
+          DenseSigns<D>(Lattice<D>(box, 4), signFields<D>(box)[seed].positive).bricks()};
+      Side<D> decoder{encoder.signs};
       for (int level = 0; level < 2; ++level) {
-        const auto bytes = thrown<D>(seed, rate, [&](auto& exchange) { mine.refine(exchange); });
-        ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
-        ASSERT_EQ(DenseSigns<D>(theirs.signs), DenseSigns<D>(mine.signs)) << "seed " << seed;
+        const auto bytes =
+            randomlyCoded<D>(seed, rate, [&](auto& exchange) { encoder.refine(exchange); });
+        ASSERT_TRUE(decoded<D>(bytes, [&](auto& exchange) { decoder.refine(exchange); }));
+        ASSERT_EQ(DenseSigns<D>(decoder.signs), DenseSigns<D>(encoder.signs)) << "seed " << seed;
       }
     }
   }
 }
 
-TYPED_TEST(RefinementCoderTest, aSettledSignNeverMoves) {
+TYPED_TEST(RefinementCoderTest, signsOfTheCoarserLevelNeverChange) {
   constexpr int D = TypeParam::value;
   for (const auto& box : boxes<D>()) {
     Side<D> side{DenseSigns<D>(Lattice<D>(box, 2), signFields<D>(box)[0].positive).bricks()};
     const DenseSigns<D> before(side.signs);
-    (void)thrown<D>(1, 0.5, [&](auto& exchange) { side.refine(exchange); });
+    (void)randomlyCoded<D>(1, 0.5, [&](auto& exchange) { side.refine(exchange); });
     forVertices(side.signs.lattice(), [&](const Coordinates<D>& v) {
       Coordinates<D> parent;
-      bool settled = true;
+      bool isOld = true;
       for (int a = 0; a < D; ++a) {
         parent[a] = side.signs.lattice().parent(a, v[a]);
-        settled = settled && !side.signs.lattice().isNew(a, v[a]);
+        isOld = isOld && !side.signs.lattice().isNew(a, v[a]);
       }
-      EXPECT_TRUE(!settled || side.signs.at(v) == before.at(parent)) << testing::PrintToString(v);
+      EXPECT_TRUE(!isOld || side.signs.at(v) == before.at(parent)) << testing::PrintToString(v);
     });
   }
 }
 
-TEST(RefinementCoder, aUniformOctaveCostsNearlyNothing) {
+TEST(RefinementCoder, aUniformLevelCostsNearlyNothing) {
   const Coordinates<3> box{255, 255, 255};
   const Signs<3> uniform{Lattice<3>(box, 1)};
   Side<3> side{Signs<3>(Lattice<3>(box, 2))};
@@ -98,8 +100,8 @@ TEST(RefinementCoder, aUniformOctaveCostsNearlyNothing) {
             30u);
 }
 
-TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
-  // Single vertices of each class, in bricks without a surface, over one with.
+TEST(RefinementCoder, newComponentsFarFromTheSurfaceAreFound) {
+  // Single vertices of each class in bricks without a surface, and one brick layer with one.
   const Coordinates<3> box{63, 63, 63};
   auto field = [](const Coordinates<3>& v) {
     if (v[2] < 4) return true;
@@ -107,12 +109,12 @@ TEST(RefinementCoder, componentsFarFromTheSurfaceAreFound) {
            v == Coordinates<3>{62, 63, 63} || v == Coordinates<3>{9, 56, 32};
   };
   const DenseSigns<3> actual(Lattice<3>(box, 1), field);
-  Side<3> mine{DenseSigns<3>(Lattice<3>(box, 2), field).bricks()};
-  Side<3> theirs{mine.signs};
+  Side<3> encoder{DenseSigns<3>(Lattice<3>(box, 2), field).bricks()};
+  Side<3> decoder{encoder.signs};
   const auto bytes =
-      coded(actual.bricks(), NoScalars(), [&](auto& exchange) { mine.refine(exchange); });
-  ASSERT_TRUE(decoded<3>(bytes, [&](auto& exchange) { theirs.refine(exchange); }));
-  EXPECT_EQ(DenseSigns<3>(theirs.signs), actual);
+      coded(actual.bricks(), NoScalars(), [&](auto& exchange) { encoder.refine(exchange); });
+  ASSERT_TRUE(decoded<3>(bytes, [&](auto& exchange) { decoder.refine(exchange); }));
+  EXPECT_EQ(DenseSigns<3>(decoder.signs), actual);
 }
 
 }  // namespace

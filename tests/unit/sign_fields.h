@@ -1,4 +1,4 @@
-// Fields of signs with a name, for any dimension and box.
+// Named sign fields for any dimension and box.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct SignField {
   typename DenseSigns<D>::Positive positive;
 };
 
-/// A hash of coordinates: the same on every machine.
+/// A hash of coordinates, the same on every machine.
 template <int D>
 uint64_t scrambled(const Coordinates<D>& v, uint64_t seed) {
   uint64_t h = seed * 0x9E3779B97F4A7C15u + 0x1234567;

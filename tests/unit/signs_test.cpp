@@ -8,7 +8,7 @@ namespace isostar {
 namespace {
 
 template <int D>
-void expectBricksLikeDense(const Coordinates<D>& box) {
+void expectKept(const Coordinates<D>& box) {
   const Lattice<D> lattice(box, 1);
   for (const auto& field : signFields<D>(box)) {
     const DenseSigns<D> dense(lattice, field.positive);
@@ -16,15 +16,15 @@ void expectBricksLikeDense(const Coordinates<D>& box) {
   }
 }
 
-TEST(Bricks, keepWhatIsSet) {
-  expectBricksLikeDense<2>({20, 7});
-  expectBricksLikeDense<2>({8, 16});
-  expectBricksLikeDense<3>({9, 7, 17});
-  expectBricksLikeDense<3>({0, 15, 3});
-  expectBricksLikeDense<4>({8, 3, 9, 2});
+TEST(Signs, keepTheirValues) {
+  expectKept<2>({20, 7});
+  expectKept<2>({8, 16});
+  expectKept<3>({9, 7, 17});
+  expectKept<3>({0, 15, 3});
+  expectKept<4>({8, 3, 9, 2});
 }
 
-TEST(Bricks, lastWordCounts) {
+TEST(Signs, keepTheLastValue) {
   Signs<3> signs(Lattice<3>({20, 20, 20}, 1));
   const Coordinates<3> v{9, 17, 3}, other{9, 17, 4};
   for (bool positive : {true, false, true}) {
@@ -34,21 +34,21 @@ TEST(Bricks, lastWordCounts) {
   }
 }
 
-TEST(Bricks, uniformOnesAreShared) {
+TEST(Signs, shareUniformBricks) {
   Signs<3> signs(Lattice<3>({79, 79, 79}, 1));
   const std::size_t before = signs.memory();
   signs.fill(Signs<3>::kPositive);
   EXPECT_TRUE(signs.at({79, 79, 79}));
   EXPECT_EQ(signs.memory(), before);
   signs.set({5, 5, 5}, true);
-  EXPECT_EQ(signs.brickCount(), 2u) << "nothing was changed";
+  EXPECT_EQ(signs.brickCount(), 2u) << "the sign was positive before";
   signs.set({5, 5, 5}, false);
   EXPECT_EQ(signs.brickCount(), 3u);
   EXPECT_TRUE(signs.at({4, 5, 5}));
   EXPECT_TRUE(signs.at({13, 5, 5}));
 }
 
-TEST(Bricks, putSharesABrickOfOneSign) {
+TEST(Signs, putSharesABrickOfOneSign) {
   Signs<2> signs(Lattice<2>({15, 15}, 1));
   Brick<2> brick;
   brick.rows.fill(0xFF);
@@ -61,16 +61,6 @@ TEST(Bricks, putSharesABrickOfOneSign) {
   signs.put(3, brick);
   EXPECT_TRUE(signs.at({10, 10}));
   EXPECT_FALSE(signs.at({11, 10}));
-}
-
-TEST(Bricks, placesAreNumberedWithoutGaps) {
-  const BrickTable<3> table(Lattice<3>({16, 7, 30}, 1));
-  EXPECT_EQ(table.count(0), 3);
-  EXPECT_EQ(table.count(1), 1);
-  EXPECT_EQ(table.count(2), 4);
-  EXPECT_EQ(table.total(), 12u);
-  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex)
-    EXPECT_EQ(table.index(table.brick(brickIndex)), brickIndex);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
                                   std::integral_constant<int, 4>>;
 TYPED_TEST_SUITE(SimplexTest, Dimensions);
 
-TYPED_TEST(SimplexTest, numberAndPlaceAreInverse) {
+TYPED_TEST(SimplexTest, indexAndSimplexAreInverse) {
   constexpr int D = TypeParam::value;
   const auto lattice = smallLattice<D>();
   std::set<std::set<Coordinates<D>>> all;
@@ -64,7 +64,7 @@ TYPED_TEST(SimplexTest, firstVertexIsEvenAndLastIsOdd) {
   }
 }
 
-TYPED_TEST(SimplexTest, acrossAFaceIsTheOneOtherSimplexThatHasIt) {
+TYPED_TEST(SimplexTest, acrossAFaceIsTheOtherSimplexThatSharesIt) {
   constexpr int D = TypeParam::value;
   const auto lattice = smallLattice<D>();
   std::map<std::set<Coordinates<D>>, std::vector<std::size_t>> holders;
@@ -80,9 +80,9 @@ TYPED_TEST(SimplexTest, acrossAFaceIsTheOneOtherSimplexThatHasIt) {
       if (!other) continue;
       EXPECT_EQ(other->index(lattice), both[0] == n ? both[1] : both[0]);
       EXPECT_EQ(faceOf(*other, i), faceOf(s, i)) << "vertex " << i << " is the new one";
-      const auto home = other->across(i, lattice);
-      ASSERT_TRUE(home);
-      EXPECT_EQ(home->index(lattice), n) << "the neighbour of the neighbour is home";
+      const auto back = other->across(i, lattice);
+      ASSERT_TRUE(back);
+      EXPECT_EQ(back->index(lattice), n) << "the neighbour's neighbour is the simplex itself";
     }
   }
 }
@@ -90,8 +90,8 @@ TYPED_TEST(SimplexTest, acrossAFaceIsTheOneOtherSimplexThatHasIt) {
 TYPED_TEST(SimplexTest, tilesEachCell) {
   constexpr int D = TypeParam::value;
   const auto lattice = smallLattice<D>();
-  // A point lies in the simplex whose order of axes sorts its distances from the even corner,
-  // falling.
+  // A point lies in the simplex whose order of axes sorts its distances from the even corner in
+  // descending order.
   for (std::size_t n = 0; n < Simplex<D>::count(lattice); n += Simplex<D>::perCell()) {
     std::set<std::array<int8_t, D>> orders;
     for (std::size_t i = n; i < n + Simplex<D>::perCell(); ++i) {
@@ -124,7 +124,7 @@ TYPED_TEST(SimplexTest, adjacentCellsMirrorEachOther) {
   }
 }
 
-TYPED_TEST(SimplexTest, aBoxWithoutExtentHasNone) {
+TYPED_TEST(SimplexTest, aBoxWithoutExtentHasNoSimplices) {
   constexpr int D = TypeParam::value;
   Coordinates<D> box;
   box.fill(3);

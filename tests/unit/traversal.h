@@ -1,4 +1,4 @@
-// Both directions of a traversal, in memory; and a third, whose answers are thrown by dice.
+// Runs a traversal in memory: encoding, decoding, and encoding random answers.
 #pragma once
 
 #include <random>
@@ -7,7 +7,7 @@
 
 namespace isostar {
 
-/// A field without scalars, for traversals that ask for signs only.
+/// A field without scalars, for traversals that code signs only.
 struct NoScalars {
   [[nodiscard]] uint32_t magnitude(std::size_t, std::size_t, int) const { return 0; }
   [[nodiscard]] int gradient(std::size_t) const { return 0; }
@@ -16,7 +16,7 @@ struct NoScalars {
   [[nodiscard]] bool selected(std::size_t) const { return false; }
 };
 
-/// What `tell` says of the truth, in bytes.
+/// Runs `code` on the encoder's side and returns the bytes.
 template <int D, class Field, class Code>
 std::vector<std::byte> coded(const Signs<D>& actual, const Field& field, Code code) {
   std::vector<std::byte> bytes;
@@ -27,8 +27,8 @@ std::vector<std::byte> coded(const Signs<D>& actual, const Field& field, Code co
   return bytes;
 }
 
-/// Hears what was told, from a copy of the bytes in its very size. False where more was read than
-/// written.
+/// Runs `code` on the decoder's side. Decodes a copy of exactly the right size, so that the address
+/// sanitizer sees an overrun. False if more was read than written.
 template <int D, class Code>
 [[nodiscard]] bool decoded(const std::vector<std::byte>& bytes, Code code) {
   const std::vector<std::byte> copy(bytes);
@@ -39,11 +39,12 @@ template <int D, class Code>
   return !exchange.exhausted();
 }
 
-/// An encoder that answers at random: whatever a valid stream may say. `rate` of 1: as the models
-/// expect; else so often yes.
-class Dice {
+/// A coder that encodes random decisions instead of the actual ones, as an untrusted stream may
+/// have them. `rate`: the probability of true; 1 stands for the probability that the model
+/// predicts.
+class RandomCoder {
  public:
-  Dice(std::vector<std::byte>& out, uint64_t seed, double rate)
+  RandomCoder(std::vector<std::byte>& out, uint64_t seed, double rate)
       : encoder_(out), random_(seed), rate_(rate) {}
   bool bit(bool, uint32_t probability) {
     const auto limit = static_cast<uint64_t>(rate_ == 1 ? probability : rate_ * kProbabilityOne);
@@ -57,15 +58,15 @@ class Dice {
   double rate_;
 };
 
-/// Bytes of a traversal whose answers are thrown; no truth is behind them.
+/// Bytes of a traversal whose decisions are all random; there is no source behind them.
 template <int D, class Code>
-std::vector<std::byte> thrown(uint64_t seed, double rate, Code code) {
+std::vector<std::byte> randomlyCoded(uint64_t seed, double rate, Code code) {
   std::vector<std::byte> bytes;
-  Dice dice(bytes, seed, rate);
+  RandomCoder coder(bytes, seed, rate);
   const Signs<D> nothing;
   const NoScalars none;
-  struct Blind : EncoderExchange<D, Dice, NoScalars> {
-    using EncoderExchange<D, Dice, NoScalars>::EncoderExchange;
+  struct NoSource : EncoderExchange<D, RandomCoder, NoScalars> {
+    using EncoderExchange<D, RandomCoder, NoScalars>::EncoderExchange;
     [[nodiscard]] uint32_t row(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] uint32_t keptRow(std::size_t, std::size_t) const { return 0; }
     [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
@@ -75,9 +76,9 @@ std::vector<std::byte> thrown(uint64_t seed, double rate, Code code) {
       return std::nullopt;
     }
   };
-  Blind exchange(dice, nothing, none);
+  NoSource exchange(coder, nothing, none);
   code(exchange);
-  dice.finish();
+  coder.finish();
   return bytes;
 }
 

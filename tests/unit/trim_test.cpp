@@ -1,4 +1,4 @@
-// Triangles cut where a function is 0.
+// Triangles are cut where a function is zero.
 #include "surface/trim.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(Trim, aLinearFunctionCutsStraight) {
   expectClosed(mesh, {9, 9, 1}, [&](const Point& p) { return std::abs(function(p)) < 1e-5; });
 }
 
-TEST(Trim, allOrNothing) {
+TEST(Trim, keepsOrRemovesWholeMeshes) {
   const Mesh whole = square(3);
   Mesh mesh = whole;
   ASSERT_EQ(trim(std::vector<float>(16, 0.0f), kNone, mesh), Error::None);
@@ -70,14 +70,14 @@ TEST(Trim, allOrNothing) {
   ASSERT_EQ(trim({}, kNone, mesh), Error::None);
 }
 
-TEST(Trim, aCornerCutOffAndACornerLeft) {
-  for (const bool left : {false, true}) {
+TEST(Trim, aTriangleLosesACornerOrKeepsOne) {
+  for (const bool keepsCorner : {false, true}) {
     Mesh mesh{{0, 0, 0, 4, 0, 0, 0, 4, 0}, {}, {0, 1, 2}};
-    const float side = left ? 1.0f : -1.0f;
+    const float side = keepsCorner ? 1.0f : -1.0f;
     ASSERT_EQ(trim({side, -3 * side, -side}, kNone, mesh), Error::None);
     expectSound(mesh, false);
-    EXPECT_EQ(verticesOf(mesh), left ? 3u : 4u);
-    EXPECT_NEAR(area(mesh), left ? 1.0 : 7.0, 1e-6) << "at (1, 0) and (0, 2)";
+    EXPECT_EQ(verticesOf(mesh), keepsCorner ? 3u : 4u);
+    EXPECT_NEAR(area(mesh), keepsCorner ? 1.0 : 7.0, 1e-6) << "at (1, 0) and (0, 2)";
   }
 }
 
@@ -87,7 +87,7 @@ TEST(Trim, normalsStayUnitVectors) {
   expectSound(mesh);
 }
 
-TEST(Trim, whatItMakesIsWithinTheLimits) {
+TEST(Trim, newVerticesCountTowardsTheLimits) {
   const Mesh whole = square(20);
   const auto values = valuesOn(whole, [](const Point& p) { return 15.3 - p[0] - 0.3 * p[1]; });
   Mesh mesh = whole;

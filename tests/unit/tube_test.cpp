@@ -15,7 +15,7 @@ struct Classes {
   std::set<Coordinates<D>> axisEnds, diagonalEnds;
 };
 
-/// By the definition: ends of the crossing edges of all simplices.
+/// The ends of the crossing edges of all simplices, by the definition.
 template <int D>
 Classes<D> byForce(const DenseSigns<D>& signs) {
   Classes<D> result;

@@ -13,7 +13,7 @@ double squared(const std::array<double, 3>& v) {
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/// The middle of each crossing edge, which lies within half a step of the vertex.
+/// The middle of each crossing edge. It lies within half a step of the vertex.
 std::vector<std::array<double, 3>> middles(const Signs<3>& signs,
                                            const std::array<double, 3>& unit) {
   std::vector<std::array<double, 3>> all;

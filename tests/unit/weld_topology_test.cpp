@@ -22,7 +22,7 @@ bool keepsInTheMiddle(bool vertex, bool evenEnd, bool oddEnd, Link link) {
   });
 }
 
-TEST(WeldTopology, anEdgeCrossedAtMostOnceMayGo) {
+TEST(WeldTopology, anEdgeCrossedAtMostOnceMayBeWelded) {
   for (unsigned signs = 0; signs < 256; ++signs) {
     auto any = [&](const Coordinates<3>& o) {
       return (signs >> ((o[1] + 1) * 3 + o[2] + 1) % 8 & 1) != 0;
@@ -35,7 +35,7 @@ TEST(WeldTopology, anEdgeCrossedAtMostOnceMayGo) {
   }
 }
 
-TEST(WeldTopology, aSaddleInThePlane) {
+TEST(WeldTopology, refusesASaddleInTwoDimensions) {
   EXPECT_FALSE(keepsInTheMiddle<2>(false, true, true, [](const auto&) { return false; }))
       << "a bridge";
   EXPECT_FALSE(keepsInTheMiddle<2>(false, true, true, [](const auto&) { return true; }))
@@ -44,7 +44,7 @@ TEST(WeldTopology, aSaddleInThePlane) {
       << "a dent";
 }
 
-TEST(WeldTopology, anEdgeCrossedTwiceInSpace) {
+TEST(WeldTopology, allowsOnlyADentWhereAnEdgeIsCrossedTwice) {
   auto keeps = [](auto link) { return keepsInTheMiddle<3>(false, true, true, link); };
   EXPECT_FALSE(keeps([](const auto&) { return false; })) << "a rod torn in two";
   EXPECT_FALSE(keeps([](const auto&) { return true; })) << "a bubble";
@@ -55,9 +55,8 @@ TEST(WeldTopology, anEdgeCrossedTwiceInSpace) {
 }
 
 TEST(WeldTopology, oneEulerCharacteristicIsNotEnoughInFourDimensions) {
-  // Around the edge is a sphere: a cap, two rings and a cap of changing signs have Euler
-  // characteristics 1 + 0 and 0
-  // + 1.
+  // Around the edge is a sphere. A cap, two rings and a cap of alternating signs have the Euler
+  // characteristics 1 + 0 and 0 + 1.
   auto caps = [](const Coordinates<4>& o) {
     const bool middle = o[1] == 0 && o[2] == 0;
     return o[3] == 0 || (o[3] == 1 && middle);
@@ -67,16 +66,16 @@ TEST(WeldTopology, oneEulerCharacteristicIsNotEnoughInFourDimensions) {
       keepsInTheMiddle<4>(false, true, true, [](const Coordinates<4>& o) { return o[3] > 0; }));
 }
 
-TEST(WeldTopology, atTheEndOfTheBox) {
-  // x = 2 is the last sample of a cell up to 4. The cell's middle lies in the box's end; so do the
-  // corners beyond.
+TEST(WeldTopology, holdsAtTheEndOfTheBox) {
+  // x = 2 is the last sample, inside a cell that ends at 4. The cell's centre and the corners
+  // beyond it lie at the end of the box.
   const Hierarchy<3> hierarchy({2, 4, 4}, 2);
   const Coordinates<3> v{2, 2, 2};
   EXPECT_TRUE(weldKeepsTopology(hierarchy, v, [](const Coordinates<3>& u) { return u[0] >= 2; }));
   EXPECT_FALSE(weldKeepsTopology(hierarchy, v, [&](const Coordinates<3>& u) {
     return u == v || u[0] < 2;
-  })) << "a way out";
-  // A vertex that lies where its edge's end does changes nothing.
+  })) << "an opening";
+  // A vertex at the position of its edge's end changes nothing.
   EXPECT_TRUE(weldKeepsTopology(hierarchy, {2, 0, 0},
                                 [](const Coordinates<3>& u) { return u[0] >= 2 && u[1] == 0; }));
 }

@@ -18,12 +18,12 @@ void expectWindow(const DenseSigns<D>& dense, const Window<D>& window,
   d.fill(-kHalo);
   for (std::size_t n = 0; n < power(Window<D>::kSide, D); ++n) {
     Coordinates<D> v;
-    bool looked = true;
+    bool inHalo = true;
     for (int a = 0; a < D; ++a) {
       v[a] = brick[a] * kBrickSide + d[a];
-      looked = looked && v[a] <= lattice.last[a] + kHalo;
+      inHalo = inHalo && v[a] <= lattice.last[a] + kHalo;
     }
-    if (looked) {
+    if (inHalo) {
       const bool found =
           (window.rows[static_cast<std::size_t>(Window<D>::row(d))] >> (d[0] + kHalo) & 1) != 0;
       ASSERT_EQ(found, dense.mirroredAt(v))
@@ -47,14 +47,14 @@ void expectWindows(const Coordinates<D>& box) {
   }
 }
 
-TEST(Window, eachWidthOfABox) {
+TEST(Window, holdsTheSurroundingsInBoxesOfEachWidth) {
   for (int32_t last = 0; last < 36; ++last) {
     expectWindows<2>({last, 5});
     expectWindows<2>({5, last});
   }
 }
 
-TEST(Window, inTheMiddleAndAtAllBorders) {
+TEST(Window, holdsTheSurroundingsInsideAndAtAllBorders) {
   expectWindows<3>({25, 24, 23});
   expectWindows<3>({8, 9, 10});
   expectWindows<3>({15, 16, 7});
@@ -64,7 +64,7 @@ TEST(Window, inTheMiddleAndAtAllBorders) {
   expectWindows<3>({0, 0, 0});
 }
 
-TEST(Window, fourDimensions) {
+TEST(Window, holdsTheSurroundingsInFourDimensions) {
   expectWindows<4>({9, 3, 8, 1});
 }
 
