@@ -5,7 +5,9 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/suggestion.h"
+#include "files/ending_signals.h"
 #include "files/failure.h"
+#include "files/standard_descriptors.h"
 #include "files/text.h"
 #include "isostar/isostar.h"
 
@@ -54,6 +56,8 @@ int run(int argc, char** argv) {
     return report(kUsageFault, fault.what());
   } catch (const std::bad_alloc&) {
     return report(kFileFault, "out of memory");
+  } catch (const Failure& fault) {
+    return report(kFileFault, fault.what());
   } catch (const std::exception& fault) {
     return report(kFileFault, oneLine(fault.what()));
   }
@@ -63,5 +67,7 @@ int run(int argc, char** argv) {
 }  // namespace isostar::native
 
 int main(int argc, char** argv) {
+  isostar::native::openStandardDescriptors();
+  isostar::native::handleEndingSignals();
   return isostar::native::run(argc, argv);
 }

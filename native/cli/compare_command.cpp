@@ -115,7 +115,7 @@ void printJson(const Arguments& arguments, const std::array<Topology, 2>& topolo
     report["bToA"] = json(distance->bToA, unit);
     report["symmetric"] = json(distance->symmetric(), unit);
   }
-  std::cout << report.dump(2) << "\n";
+  std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 void printDistance(const char* which, const Distance& distance, double unit) {
@@ -128,7 +128,7 @@ void printTopology(const std::string& path, const Topology& t) {
   std::cout << text(
       "%s: %llu vertices, %llu triangles, %llu components, Euler characteristic %lld, genus %s, "
       "%llu boundary edges in %llu loops",
-      path.c_str(), static_cast<unsigned long long>(t.vertices),
+      printable(path).c_str(), static_cast<unsigned long long>(t.vertices),
       static_cast<unsigned long long>(t.triangles), static_cast<unsigned long long>(t.components),
       static_cast<long long>(t.euler()), genus ? std::to_string(*genus).c_str() : "undefined",
       static_cast<unsigned long long>(t.boundaryEdges),

@@ -66,6 +66,20 @@ void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, size
               arguments.input.c_str(), held, decoder.level(), decoder.levels() - 1));
 }
 
+/// Warns of a prefix that ends inside a layer which is damaged: its first bytes cannot be checked,
+/// but those of the file can.
+void warnOfDamage(const Arguments& arguments, std::span<const std::byte> stream, size_t length,
+                  const Decoder& decoder) {
+  const StreamInfo& info = decoder.info();
+  const uint64_t whole = info.layers.empty() ? info.headerBytes : info.layers.back().offset;
+  if (!arguments.bytes || decoder.bytes() <= whole || length >= stream.size()) return;
+  if (isDamaged(stream, length))
+    warn(
+        text("%s is damaged in the layer in which the first %zu bytes end; the surface may be "
+             "wrong",
+             arguments.input.c_str(), length));
+}
+
 bool isDrawing(const std::string& path) {
   return extensionOf(path) == ".svg";
 }
@@ -132,6 +146,8 @@ void run(const Arguments& arguments) {
   if (!isMeshFile(arguments.output) && !isDrawing(arguments.output))
     throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb, or in .svg for an image",
                           arguments.output.c_str()));
+  if (arguments.json && isStandardOutput(arguments.output))
+    throw UsageFault("--json and the mesh cannot share standard output");
   requireDifferent(arguments.input, arguments.output);
   requireWritable(arguments.output);
 
@@ -147,6 +163,7 @@ void run(const Arguments& arguments) {
   requireIsovalue(arguments.options.isovalue, decoder.info(), arguments.input);
   requireSuitable(arguments, decoder.info());
   warnOfMissingBytes(arguments, decoder, stream.size());
+  warnOfDamage(arguments, stream, length, decoder);
 
   if (decoder.info().dimension == 2) {
     writeDrawing(arguments, decoder, report);

@@ -12,6 +12,7 @@
 #include "files/text.h"
 #include "model/model_volume.h"
 #include "tetrahedra/bounded_encoding.h"
+#include "volume/named_files.h"
 #include "volume/placement.h"
 
 namespace isostar::native {
@@ -31,6 +32,19 @@ void requireDimension(const LoadedVolume& volume, const EncodeOptions& options,
                              volume.dimension == 2 ? "an image" : "a sequence"));
   if (options.adaptive && volume.dimension == 4)
     throw Failure(path, "is a sequence; --adaptive is not for sequences");
+}
+
+/// The largest ratio of spacings between axes. The search for the nearest vertex takes time in
+/// proportion to it.
+constexpr double kMostUneven = 1e4;
+
+void requireEvenSpacing(const LoadedVolume& volume, const std::string& path) {
+  const auto& spacing = volume.placement.spacing;
+  const auto [least, most] =
+      std::minmax_element(spacing.begin(), spacing.begin() + std::min(3, volume.dimension));
+  if (*most > kMostUneven * *least)
+    throw Failure(path, text("has spacings from %g to %g; one may be at most %g times another",
+                             *least, *most, kMostUneven));
 }
 
 std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions options,
@@ -89,6 +103,7 @@ Encoded encodeSamples(EncodeArguments& arguments, WorkReport& report) {
   LoadedVolume volume = readSource(arguments.source);
   report.io = reading.milliseconds();
   requireDimension(volume, options, arguments.source.volume.path);
+  requireEvenSpacing(volume, arguments.source.volume.path);
   if (!codesDomain(options)) dropDomain(volume);
   warnOfRemarks(arguments, volume);
   if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);
@@ -121,14 +136,24 @@ Encoded encodeTetrahedra(EncodeArguments& arguments, WorkReport& report) {
   return {std::move(made.volume), std::move(made.stream)};
 }
 
+/// The output must be none of the files that are read.
+void requireUnread(const std::string& input, const std::string& output) {
+  requireDifferent(input, output);
+  for (const std::string& file : filesReadWith(input)) {
+    if (isSameFile(file, output))
+      throw Failure(output, text("is the input too: it is read with %s", input.c_str()));
+  }
+}
+
 void run(EncodeArguments& arguments) {
   requireConsistent(arguments.source);
   arguments.options.isovalue = isovalueOf(arguments.source);
   requireDistinct(arguments.options);
-  if (arguments.json && arguments.output == "-")
+  if (arguments.json && isStandardOutput(arguments.output))
     throw UsageFault("--json and the stream cannot share standard output");
-  requireDifferent(arguments.source.volume.path, arguments.output);
+  requireUnread(arguments.source.volume.path, arguments.output);
   requireWritable(arguments.output);
+  const uint64_t sourceBytes = bytesReadWith(arguments.source.volume.path);
 
   WorkReport report{.work = "encode"};
   const auto [volume, stream] = isBoundToTetrahedra(arguments) ? encodeTetrahedra(arguments, report)
@@ -143,7 +168,7 @@ void run(EncodeArguments& arguments) {
     throw Failure(arguments.output, describe(error));
   warnOfResult(arguments, volume, info);
   if (arguments.json) printReport(arguments, volume, info, report);
-  printMessage(encodedLine(arguments, info));
+  printMessage(encodedLine(arguments, info, sourceBytes));
 }
 
 void addFiles(CLI::App& command, EncodeArguments& arguments) {

@@ -1,8 +1,8 @@
 #include "cli/encode_report.h"
 
 #include <algorithm>
-#include <filesystem>
 
+#include "cli/limit_warning.h"
 #include "cli/messages.h"
 #include "cli/stopwatch.h"
 #include "files/failure.h"
@@ -12,18 +12,6 @@
 
 namespace isostar::native {
 namespace {
-
-/// The size of the file or folder in bytes; 0 for a header whose samples are in another file.
-uint64_t sourceBytes(const std::string& path) {
-  const std::string extension = extensionOf(path);
-  if (extension == ".nhdr" || extension == ".mhd" || extension == ".hdr") return 0;
-  if (!std::filesystem::is_directory(path)) return std::filesystem::file_size(path);
-  uint64_t bytes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(path)) {
-    if (entry.is_regular_file()) bytes += entry.file_size();
-  }
-  return bytes;
-}
 
 /// The bound in the unit of --units.
 double boundInUnits(const EncodeArguments& arguments, const Placement& placement) {
@@ -63,10 +51,10 @@ Error countOnSource(const LoadedVolume& volume, double isovalue, const MeshOptio
 
 }  // namespace
 
-std::string encodedLine(const EncodeArguments& arguments, const StreamInfo& info) {
-  const uint64_t before = sourceBytes(arguments.source.volume.path);
+std::string encodedLine(const EncodeArguments& arguments, const StreamInfo& info,
+                        uint64_t sourceBytes) {
   const std::string source =
-      arguments.source.volume.path + (before ? " " + readableBytes(before) : "");
+      arguments.source.volume.path + (sourceBytes ? " " + readableBytes(sourceBytes) : "");
   const std::string error =
       info.lossless ? "lossless"
                     : text("error at most %g %s", boundInUnits(arguments, info.placement),
@@ -85,6 +73,8 @@ void warnOfResult(const EncodeArguments& arguments, const LoadedVolume& volume,
     warnOfFineBound(volume, options);
   if (options.adaptive && options.preserveTopology)
     warn("--adaptive has no effect: streams with --preserve-topology have no coarse simplices");
+  if (const std::string over = overLimits(info, Limits{}); !over.empty())
+    warn(over + "; in a page and in programs that do not raise their limits it cannot be decoded");
 }
 
 void printReport(const EncodeArguments& arguments, const LoadedVolume& volume,

@@ -9,10 +9,11 @@
 namespace isostar::native {
 
 /// "in.nrrd 14 MB -> out.isostar 120 kB, 40000 vertices, error at most 0.05 grid steps".
-std::string encodedLine(const EncodeArguments&, const StreamInfo&);
+/// `sourceBytes`: the length of the input's files before they were read.
+std::string encodedLine(const EncodeArguments&, const StreamInfo&, uint64_t sourceBytes);
 
-/// Warns if the surface is empty, if the bound is finer than the samples' precision, or if an
-/// option had no effect.
+/// Warns if the surface is empty, if the bound is finer than the samples' precision, if an option
+/// had no effect, or if a decoder with default limits refuses the stream.
 void warnOfResult(const EncodeArguments&, const LoadedVolume&, const StreamInfo&);
 
 /// Prints `encode --json`. Polygonizes the source itself, after `report` has got times and sizes.

@@ -84,7 +84,7 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
   const auto line = [](const char* what, const std::string& value) {
     std::cout << text("%-12s %s\n", what, value.c_str());
   };
-  line("stream", text("%s, %s, format %d", arguments.input.c_str(),
+  line("stream", text("%s, %s, format %d", printable(arguments.input).c_str(),
                       readableBytes(info.bytes).c_str(), info.version));
   line("grid", info.dimension == 2   ? text("%d x %d, an image", info.size[0], info.size[1])
                : info.dimension == 4 ? triple(info.size) + text(", %d frames", info.frames)

@@ -36,6 +36,14 @@ Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) 
   return decoder;
 }
 
+bool isDamaged(std::span<const std::byte> bytes, size_t length) {
+  Decoder decoder(nativeLimits());
+  decoder.accept(bytes);
+  while (decoder.advance())
+    if (decoder.bytes() >= length) return false;
+  return decoder.error() == Error::Corrupt;
+}
+
 void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo& info,
                      const std::string& path) {
   const auto& held = info.isovalues;

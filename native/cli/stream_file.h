@@ -20,6 +20,10 @@ StreamInfo inspectStream(std::span<const std::byte>, const std::string& path);
 /// header.
 Decoder decodeStream(std::span<const std::byte>, const std::string& path);
 
+/// Whether the layer in which the first `length` bytes of a stream end is damaged. False where the
+/// stream ends earlier than that layer.
+bool isDamaged(std::span<const std::byte>, size_t length);
+
 /// Throws a Failure if the isovalue is outside the range of the stream's isovalues.
 void requireIsovalue(const std::optional<double>& isovalue, const StreamInfo&,
                      const std::string& path);

@@ -1,12 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace isostar::native {
+
+/// What a child may use.
+struct ChildLimits {
+  uint64_t memory = 0;   // bytes beyond those that the process has at its start
+  uint64_t seconds = 0;  // of processor time
+};
+
+/// Limits in proportion to the bytes of all files that the child reads: what sound files of every
+/// format need at most, even highly compressed ones.
+ChildLimits limitsFor(uint64_t inputBytes);
 
 /// The output of a child process: values in shared memory. The parent takes them in the order in
 /// which the child put them.
@@ -49,7 +60,8 @@ class ChildOutput {
   const std::string& path() const { return path_; }
 
  private:
-  friend void runInChild(ChildOutput&, const std::function<void(ChildOutput&)>& work);
+  friend void runInChild(ChildOutput&, const ChildLimits&,
+                         const std::function<void(ChildOutput&)>& work);
   void write(const void* bytes, size_t count);
   void read(void* bytes, size_t count);
   void rewind();
@@ -60,14 +72,16 @@ class ChildOutput {
 
 /// Runs `work` in a child process. Files are untrusted input, and the libraries for foreign formats
 /// assert, crash and print on damaged ones: a child that dies and a Failure in the child both
-/// become a Failure here. What the child prints is discarded.
-void runInChild(ChildOutput&, const std::function<void(ChildOutput&)>& work);
+/// become a Failure here, which says so if a limit was the reason. What the child prints is
+/// discarded. It ends with its parent.
+void runInChild(ChildOutput&, const ChildLimits&, const std::function<void(ChildOutput&)>& work);
 
 /// Runs `read` in a child process and returns its result, of which only `members` are transferred.
 template <class Result, class Read, class... Members>
-Result readInChild(const std::string& path, const Read& read, Members Result::*... members) {
+Result readInChild(const std::string& path, const ChildLimits& limits, const Read& read,
+                   Members Result::*... members) {
   ChildOutput output(path);
-  runInChild(output, [&](ChildOutput& to) {
+  runInChild(output, limits, [&](ChildOutput& to) {
     const Result result = read();
     (to.put(result.*members), ...);
   });

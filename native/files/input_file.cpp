@@ -43,6 +43,9 @@ std::vector<std::byte> readFile(const std::string& path) {
     const ssize_t got = ::read(file.number, bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno != EINTR) fail(path);
     if (got > 0) filled += static_cast<size_t>(got);
+    if (got == 0 && path != "-" && filled < static_cast<size_t>(about.st_size))
+      throw Failure(path, text("was cut from %zu to %zu bytes while it was read",
+                               static_cast<size_t>(about.st_size), filled));
     if (got == 0 || (S_ISREG(about.st_mode) && filled == static_cast<size_t>(about.st_size))) {
       bytes.resize(filled);
       return bytes;

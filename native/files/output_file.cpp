@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "files/ending_signals.h"
 #include "files/failure.h"
 #include "files/text.h"
 
@@ -15,27 +16,11 @@ namespace isostar::native {
 namespace {
 
 constexpr size_t kBuffer = size_t{1} << 20;
+constexpr int kMostTries = 100;  // to find an unused name for the temporary file
 
-bool isStandardOutput(const std::string& target) {
-  return target == "-";
-}
-
-std::filesystem::path folderOf(const std::string& target) {
-  const auto folder = std::filesystem::path(target).parent_path();
+std::filesystem::path folderOf(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
   return folder.empty() ? "." : folder;
-}
-
-bool isSpecial(const std::string& target) {
-  struct stat about;
-  return ::stat(target.c_str(), &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
-}
-
-/// The target of a symbolic link: renaming must replace the file that the link points to, not the
-/// link.
-std::string resolve(const std::string& target) {
-  std::error_code ignored;
-  const auto resolved = std::filesystem::canonical(target, ignored);
-  return resolved.empty() ? target : resolved.string();
 }
 
 void keepMode(int descriptor, const std::string& target) {
@@ -45,31 +30,47 @@ void keepMode(int descriptor, const std::string& target) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::string target) : target_(std::move(target)), resolved_(target_) {
+OutputFile::OutputFile(std::string target)
+    : target_(std::move(target)), resolved_(outputTargetOf(target_)) {
   buffer_.reserve(kBuffer);
-  if (isStandardOutput(target_)) {
-    descriptor_ = STDOUT_FILENO;
-    return;
-  }
   requireWritable(target_);
-  if (isSpecial(target_)) {
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (resolved_.descriptor >= 0) {
+    descriptor_ = ::fcntl(resolved_.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  } else if (resolved_.isDirect()) {
+    descriptor_ = ::open(resolved_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   } else {
-    resolved_ = resolve(target_);
-    temporary_ = text("%s.%d.part", resolved_.c_str(), static_cast<int>(::getpid()));
-    descriptor_ =
-        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) keepMode(descriptor_, resolved_);
+    descriptor_ = createTemporary();
+    if (descriptor_ >= 0) keepMode(descriptor_, resolved_.path);
   }
-  if (descriptor_ < 0) {
-    temporary_.clear();
-    fail("cannot be written");
-  }
+  if (descriptor_ < 0) fail("cannot be written");
 }
 
 OutputFile::~OutputFile() {
-  if (descriptor_ > STDOUT_FILENO) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  forgetTemporary();
+}
+
+/// The name does not contain the target's, which may be as long as the file system permits.
+int OutputFile::createTemporary() {
+  const std::filesystem::path folder = std::filesystem::path(resolved_.path).parent_path();
+  for (int number = 0;; ++number) {
+    temporary_ = folder / text(".isostar-%d-%d.part", static_cast<int>(::getpid()), number);
+    removeOnSignal(temporary_.c_str());
+    const int descriptor =
+        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor >= 0) return descriptor;
+    const int error = errno;
+    forgetTemporary();
+    errno = error;
+    if (error != EEXIST || number == kMostTries) return -1;
+  }
+}
+
+void OutputFile::forgetTemporary() {
+  keepOnSignal(temporary_.c_str());
+  temporary_.clear();
 }
 
 void OutputFile::write(const void* bytes, size_t count) {
@@ -94,13 +95,12 @@ void OutputFile::flush() {
 
 void OutputFile::commit() {
   flush();
-  if (descriptor_ == STDOUT_FILENO) return;
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
   if (closed != 0) fail("cannot be written");
   if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), resolved_.c_str()) != 0) fail("cannot be replaced");
-  temporary_.clear();
+  if (::rename(temporary_.c_str(), resolved_.path.c_str()) != 0) fail("cannot be replaced");
+  forgetTemporary();
 }
 
 void OutputFile::fail(const char* doing) const {
@@ -108,22 +108,23 @@ void OutputFile::fail(const char* doing) const {
 }
 
 void requireWritable(const std::string& target) {
-  if (isStandardOutput(target)) return;
+  const OutputTarget resolved = outputTargetOf(target);
+  const auto fail = [&target](int error) {
+    throw Failure(target, text("cannot be written: %s", std::strerror(error)));
+  };
+  if (resolved.descriptor >= 0) {
+    const int flags = ::fcntl(resolved.descriptor, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) fail(EBADF);
+    return;
+  }
   std::error_code ignored;
-  const auto folder = folderOf(target);
+  const auto folder = folderOf(resolved.path);
   if (!std::filesystem::is_directory(folder, ignored))
     throw Failure(target, text("cannot be written: there is no folder %s", folder.c_str()));
-  if (std::filesystem::is_directory(target, ignored))
+  if (std::filesystem::is_directory(resolved.path, ignored))
     throw Failure(target, "cannot be written: it is a folder");
-  const bool exists = std::filesystem::exists(target, ignored);
-  if (::access(exists ? target.c_str() : folder.c_str(), W_OK) != 0)
-    throw Failure(target, text("cannot be written: %s", std::strerror(errno)));
-}
-
-void requireDifferent(const std::string& input, const std::string& target) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(input, target, ignored))
-    throw UsageFault(text("%s is the input too; name another output", target.c_str()));
+  if (::access(resolved.path.c_str(), W_OK) != 0 && errno != ENOENT) fail(errno);
+  if (!resolved.isDirect() && ::access(folder.c_str(), W_OK | X_OK) != 0) fail(errno);
 }
 
 }  // namespace isostar::native

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -16,7 +17,8 @@ using Matrix = std::array<double, 16>;  // column-major, as in glTF
 using namespace glb;
 
 constexpr int kTriangles = 4;
-constexpr uint64_t kMostVertices = 1ull << 28;  // many nodes may refer to one mesh
+// Many nodes may refer to one mesh, so that a scene has more vertices than its file.
+constexpr uint64_t kLeastVertices = 1ull << 21, kVerticesPerByte = 16, kMostVertices = 1ull << 28;
 constexpr Matrix kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 Matrix product(const Matrix& a, const Matrix& b) {
@@ -55,7 +57,9 @@ Matrix transformOf(const Json& node) {
 /// Collects the triangles of all nodes of a scene, transformed to the scene's coordinates.
 class SceneReader {
  public:
-  SceneReader(std::span<const std::byte> file, const std::string& path) : path_(path) {
+  SceneReader(std::span<const std::byte> file, const std::string& path)
+      : path_(path),
+        most_(std::min(kLeastVertices + kVerticesPerByte * file.size(), kMostVertices)) {
     std::array<uint32_t, 3> head{};
     if (!copy(file, 0, head) || head[0] != kMagic) fail("is not a GLB file");
     if (head[1] != kVersion) fail(text("is of GLB version %u; only version 2 is read", head[1]));
@@ -83,10 +87,8 @@ class SceneReader {
     const Json scenes = json_.value("scenes", Json::array());
     if (scenes.empty()) return {};
     for (const Json& node : scenes.at(json_.value("scene", 0)).value("nodes", Json::array()))
-      waiting_.push_back({node.get<size_t>(), kIdentity});
-    for (size_t visited = 0; !waiting_.empty(); ++visited) {
-      if (visited == json_.at("nodes").size())
-        fail("is damaged: a node has two parents, or contains itself");
+      await(node, kIdentity);
+    while (!waiting_.empty()) {
       const auto [index, above] = waiting_.back();
       waiting_.pop_back();
       visit(json_.at("nodes").at(index), above);
@@ -113,10 +115,16 @@ class SceneReader {
     return type == kUnsignedByte ? 1 : type == kUnsignedShort ? 2 : 4;
   }
 
+  /// In a forest each node is awaited once.
+  void await(const Json& node, const Matrix& above) {
+    if (awaited_++ == json_.at("nodes").size())
+      fail("is damaged: a node has two parents, or contains itself");
+    waiting_.push_back({node.get<size_t>(), above});
+  }
+
   void visit(const Json& node, const Matrix& above) {
     const Matrix placement = product(above, transformOf(node));
-    for (const Json& child : node.value("children", Json::array()))
-      waiting_.push_back({child.get<size_t>(), placement});
+    for (const Json& child : node.value("children", Json::array())) await(child, placement);
     if (!node.contains("mesh")) return;
     for (const Json& primitive :
          json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives")) {
@@ -162,7 +170,10 @@ class SceneReader {
   }
 
   void addPositions(const Accessor& positions, const Matrix& m) {
-    if (mesh_.positions.size() / 3 + positions.count > kMostVertices) fail("has too many vertices");
+    used_ += 1 + positions.count;  // a primitive without vertices takes time too
+    if (used_ > most_)
+      fail(text("has more than %llu vertices, too many for its length",
+                static_cast<unsigned long long>(most_)));
     for (size_t v = 0; v < positions.count; ++v) {
       std::array<float, 3> p{};
       copy(binary_, positions.offset + v * positions.stride, p);
@@ -177,7 +188,9 @@ class SceneReader {
     if (indices.type != kUnsignedByte && indices.type != kUnsignedShort &&
         indices.type != kUnsignedInt)
       fail("has indices of an unknown type");
-    if (mesh_.indices.size() + indices.count > 6 * kMostVertices) fail("has too many triangles");
+    if (mesh_.indices.size() + indices.count > 6 * most_)
+      fail(text("has more than %llu triangles, too many for its length",
+                static_cast<unsigned long long>(2 * most_)));
     for (size_t i = 0; i < indices.count / 3 * 3; ++i) {
       uint32_t vertex = 0;
       std::memcpy(&vertex, binary_.data() + indices.offset + i * indices.stride,
@@ -189,9 +202,11 @@ class SceneReader {
   }
 
   const std::string& path_;
+  const uint64_t most_;  // vertices
   Json json_;
   std::span<const std::byte> binary_;
   std::vector<std::pair<size_t, Matrix>> waiting_;
+  size_t awaited_ = 0, used_ = 0;
   Mesh mesh_;
 };
 

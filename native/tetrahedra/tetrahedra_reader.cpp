@@ -30,14 +30,15 @@ bool isTetrahedral(const std::string& path) {
 }
 
 TetrahedralMesh readTetrahedra(const std::string& path, const std::optional<std::string>& scalar) {
-  fileSize(path);
+  const uint64_t bytes = fileSize(path);
   const auto read = [&] {
     TetrahedralMesh mesh = readVtkTetrahedra(path, scalar);
     repair(mesh, path);
     return mesh;
   };
   using M = TetrahedralMesh;
-  return readInChild(path, read, &M::points, &M::values, &M::tetrahedra, &M::remarks);
+  return readInChild(path, limitsFor(bytes), read, &M::points, &M::values, &M::tetrahedra,
+                     &M::remarks);
 }
 
 }  // namespace isostar::native

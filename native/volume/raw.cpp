@@ -18,7 +18,12 @@ LoadedVolume readRaw(const VolumeRequest& request) {
                                      static_cast<unsigned long long>(length), buffer.bytes()));
   std::ifstream file(request.path, std::ios::binary);
   file.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(buffer.bytes()));
-  if (!file) throw Failure(request.path, text("cannot be read: %s", std::strerror(errno)));
+  if (!file.is_open() || file.bad())
+    throw Failure(request.path, text("cannot be read: %s", std::strerror(errno)));
+  if (!file)
+    throw Failure(request.path,
+                  text("was cut from %zu to %llu bytes while it was read", buffer.bytes(),
+                       static_cast<unsigned long long>(file.gcount())));
   LoadedVolume volume;
   volume.size = buffer.size();
   volume.samples = buffer.take();

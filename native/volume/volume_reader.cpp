@@ -8,6 +8,7 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
+#include "volume/named_files.h"
 #include "volume/volume_formats.h"
 
 namespace isostar::native {
@@ -15,16 +16,6 @@ namespace {
 
 bool isTiff(const std::string& path) {
   return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff";
-}
-
-std::vector<std::string> filesIn(const std::string& folder) {
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.is_regular_file() && entry.path().filename().string()[0] != '.')
-      paths.push_back(entry.path().string());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
 }
 
 /// A folder is a stack of TIFF slices if it contains any, else a DICOM series.
@@ -62,9 +53,10 @@ LoadedVolume readAny(const VolumeRequest& request) {
     return std::filesystem::is_directory(request.path) ? readFolder(request.path)
                                                        : readByExtension(request.path);
   };
+  requireRegularFiles(request.path);
   using V = LoadedVolume;
-  return readInChild(request.path, read, &V::remarks, &V::dimension, &V::size, &V::frames,
-                     &V::placement, &V::samples);
+  return readInChild(request.path, limitsFor(bytesReadWith(request.path)), read, &V::remarks,
+                     &V::dimension, &V::size, &V::frames, &V::placement, &V::samples);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string bytesOf(const std::vector<Value>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
 
-/// 0, 1, 2 …: every sample tells its place.
+/// 0, 1, 2 …: every sample states its place.
 template <class Value>
 std::vector<Value> counting(size_t count) {
   std::vector<Value> values(count);

@@ -71,11 +71,15 @@ TEST_F(MeshFile, glbIsWellFormed) {
   EXPECT_EQ(binary % 4, 0u);
 }
 
+const std::string kPrimitive = R"({"attributes":{"POSITION":0},"indices":1})";
+
 /// A GLB of one triangle with 16-bit indices behind its positions, in a scene of these nodes.
-std::string glb(const std::string& nodes, const std::string& more = "") {
+std::string glb(const std::string& nodes, const std::string& more = "",
+                const std::string& primitives = kPrimitive) {
   std::string json =
-      "{\"scenes\":[{\"nodes\":[0]}],\"nodes\":" + nodes +
-      ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+      "{\"scenes\":[{\"nodes\":[0]}],\"nodes\":" + nodes + ",\"meshes\":[{\"primitives\":[" +
+      primitives +
+      "]}],"
       "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
       "{\"bufferView\":1,\"componentType\":5123,\"count\":3,\"type\":\"SCALAR\"}],"
       "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},"
@@ -122,6 +126,25 @@ TEST_F(MeshFile, refusesDamagedGlb) {
     changed[at] = static_cast<char>(changed[at] ^ 9);
     (void)complaint("a.glb", changed);  // a line or a mesh, no crash
   }
+}
+
+std::string repeated(const std::string& words, size_t count) {
+  std::string all;
+  for (size_t i = 0; i < count; ++i) all += (i ? "," : "") + words;
+  return all;
+}
+
+TEST_F(MeshFile, refusesAGlbThatGrowsBeyondItsLength) {
+  const std::string children =
+      "[{\"children\":[" + repeated("0", 8000) + "]}," + repeated("{}", 6000) + "]";
+  EXPECT_NE(complaint("a.glb", glb(children)).find("two parents"), std::string::npos);
+  std::string nodes = "[{\"children\":[1";
+  for (int i = 2; i <= 6000; ++i) nodes.append(",").append(std::to_string(i));
+  nodes += "]}," + repeated("{\"mesh\":0}", 6000) + "]";
+  EXPECT_EQ(complaint("a.glb", glb(nodes)), "");
+  EXPECT_NE(complaint("a.glb", glb(nodes, "", repeated(kPrimitive, 1000)))
+                .find("too many for its length"),
+            std::string::npos);
 }
 
 TEST_F(MeshFile, glbOfNothingIsAnEmptyScene) {

@@ -1,7 +1,8 @@
-// Unstructured grids as VTK's readers meet them; what is wrong is told in one line.
+// Unstructured grids as VTK's readers meet them; what is wrong is said in one line.
 #include <gtest/gtest.h>
 
 #include "files/failure.h"
+#include "files/sanitizers.h"
 #include "scratch_folder.h"
 #include "tetrahedra/tetrahedra_reader.h"
 
@@ -55,6 +56,22 @@ class VtkTetrahedra : public ScratchFolder {
     return {};
   }
 };
+
+/// VTK allocates for the 2^30 blocks that the array claims before it reads one.
+TEST_F(VtkTetrahedra, saysThatBlocksAreTooMany) {
+  if (kReservesAddresses) GTEST_SKIP() << "the limit of memory is not set";
+  std::string file = vtu();
+  const std::string cells = "<DataArray format=\"ascii\" type=\"Int64\" Name=\"connectivity\">";
+  const size_t at = file.find(cells);
+  ASSERT_NE(at, std::string::npos);
+  const size_t end = file.find('<', at + cells.size());
+  file.replace(
+      at, end - at,
+      "<DataArray format=\"binary\" type=\"Int64\" Name=\"connectivity\">AAAAQACAAAAAAAAA");
+  file.insert(file.find(" byte_order"), " compressor=\"vtkZLibDataCompressor\"");
+  EXPECT_NE(complaint("a.vtu", file).find("reading takes more than 1.0"), std::string::npos)
+      << complaint("a.vtu", file);
+}
 
 TEST_F(VtkTetrahedra, readsBothFormats) {
   for (const auto& [name, content] : {std::pair{"a.vtu", vtu()}, std::pair{"a.vtk", legacy()}}) {
