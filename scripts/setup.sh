@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 packages=(
   g++ cmake ninja-build ccache emscripten                 # compilers
-  libcli11-dev nlohmann-json3-dev libxxhash-dev           # the command line and the stream
+  libcli11-dev nlohmann-json3-dev                         # the command line
   libinsighttoolkit5-dev libnifti2-dev                    # volumes
   libgtest-dev libglm-dev                                 # tests, built with everything else
   libdraco-dev draco libmeshoptimizer-dev libzstd-dev     # the codecs of the comparison

@@ -7,6 +7,7 @@
 #include "cli/messages.h"
 #include "cli/progress_bar.h"
 #include "cli/stopwatch.h"
+#include "cli/verified_encoding.h"
 #include "files/failure.h"
 #include "files/output_file.h"
 #include "files/text.h"
@@ -45,18 +46,6 @@ void requireEvenSpacing(const LoadedVolume& volume, const std::string& path) {
   if (*most > kMostUneven * *least)
     throw Failure(path, text("has spacings from %g to %g; one may be at most %g times another",
                              *least, *most, kMostUneven));
-}
-
-std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions options,
-                                     const std::string& path) {
-  ProgressBar bar("encoding");
-  options.progress = [&bar](double done) { bar.show(done); };
-  std::vector<std::byte> stream;
-  const Error error = volume.dimension == 2   ? encode(volume.image(), options, stream)
-                      : volume.dimension == 3 ? encode(volume.view(), options, stream)
-                                              : encode(volume.sequence(), options, stream);
-  if (error != Error::None) throw Failure(path, describe(error));
-  return stream;
 }
 
 /// All isovalues must be different. Adaptive streams have no further ones.
@@ -108,7 +97,7 @@ Encoded encodeSamples(EncodeArguments& arguments, WorkReport& report) {
   warnOfRemarks(arguments, volume);
   if (arguments.units == Units::World) options.maxError /= smallestSpacing(volume.placement);
   const Stopwatch encoding;
-  std::vector<std::byte> stream = encodeWithBar(volume, options, arguments.source.volume.path);
+  std::vector<std::byte> stream = encodeVerified(volume, options, arguments.source.volume.path);
   report.codec = encoding.milliseconds();
   return {std::move(volume), std::move(stream)};
 }
@@ -166,6 +155,8 @@ void run(EncodeArguments& arguments) {
   StreamInfo info;
   if (const Error error = inspect(stream, info); error != Error::None)
     throw Failure(arguments.output, describe(error));
+  if (!info.lossless && arguments.options.bestEffort)
+    arguments.options.maxError = std::max(arguments.options.maxError, info.maxError);
   warnOfResult(arguments, volume, info);
   if (arguments.json) printReport(arguments, volume, info, report);
   printMessage(encodedLine(arguments, info, sourceBytes));
@@ -231,6 +222,9 @@ void addCoding(CLI::App& command, EncodeArguments& arguments) {
                   "2 makes streams smaller, those of smooth surfaces by up to 18 %; encoding and "
                   "decoding take longer")
       ->check(CLI::Range(1, EncodeOptions::kMostEffort));
+  command.add_flag("--best-effort", options.bestEffort,
+                   "Write a stream even if the bound cannot be held; it then states the bound that "
+                   "it holds");
   addPolygonizer(command, options.polygonizer, "The surface for which the bound holds");
 }
 

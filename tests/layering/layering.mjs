@@ -53,7 +53,7 @@ const STANDARD = new Set(
   ).split(' '),
 );
 /** Header-only libraries, and the one folder that may use each. */
-const LIBRARIES = { glm: 'surface', 'xxhash.h': 'container' };
+const LIBRARIES = { glm: 'surface' };
 
 /** Coders written for a comparison, in no stream: they may build on these folders. */
 const COMPARISON = {

@@ -71,10 +71,10 @@ TEST(FormatDocument, layersOfTheExampleAreAsDescribed) {
   std::size_t used = 0;
   ASSERT_EQ(read(bytes, header, used), Error::None);
   for (const ExpectedHead& expected :
-       {ExpectedHead{20, LayerKind::Base, 0, 1, 4, 0x7A06},
-        ExpectedHead{29, LayerKind::Refinement, 1, 0.648, 5, 0x05E1},
-        ExpectedHead{39, LayerKind::Exponents, 1, 0.0573, 14, 0xE84B},
-        ExpectedHead{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x1592}}) {
+       {ExpectedHead{20, LayerKind::Base, 0, 1, 4, 0xCECC},
+        ExpectedHead{29, LayerKind::Refinement, 1, 0.648, 5, 0x369A},
+        ExpectedHead{39, LayerKind::Exponents, 1, 0.0573, 14, 0x3DF3},
+        ExpectedHead{58, LayerKind::Magnitudes, 1, 0.0170, 18, 0x4CE1}}) {
     LayerHead head;
     ASSERT_EQ(read(std::span(bytes).subspan(expected.at), header, head, used), Error::None);
     EXPECT_EQ(used, 5u);

@@ -111,7 +111,8 @@ struct EncodeOptions {
   /// The bound: the largest two-sided distance between the decoded surface and the source's, in
   /// grid steps. Finite and positive; unused if `lossless`.
   double maxError = 0.05;
-  /// The decoded surface is exactly the one that `polygonizer` makes of the source.
+  /// The decoded surface is the one that `polygonizer` makes of the source: exactly if the samples
+  /// are whole numbers of 1 or of 1/255, otherwise within 2^-14 grid steps.
   bool lossless = false;
   /// The polygonizer whose vertices' scalars are coded, and for which the bound holds. The other
   /// one shows such a stream, too, but without the bound.
@@ -127,8 +128,20 @@ struct EncodeOptions {
   /// streams of smooth surfaces smaller by up to 18 %, and takes encoder and decoder longer.
   int effort = 1;
   static constexpr int kMostEffort = 2;
+  /// Writes a stream that does not hold the bound instead of none. Its header then states the bound
+  /// that it holds. Not for a Volume with a domain.
+  bool bestEffort = false;
   /// Called now and then with a fraction 0 … 1, by the thread that called encode(). May be empty.
   std::function<void(double done)> progress;
+};
+
+/// What encode() measured on the surface that it decoded.
+struct EncodeReport {
+  /// The largest distance between decoded surface and source, both ways, in grid steps: at each
+  /// vertex exactly. Of a domain's boundary and of adaptive streams it is the bound.
+  double maxError = 0;
+  /// Is that within the bound?
+  bool holds = true;
 };
 
 /// An indexed triangle mesh.
@@ -179,7 +192,10 @@ struct Limits {
   uint64_t vertices = 1ull << 26;
   /// Bytes that a decoder uses, including the mesh while it is made. Not included are the bytes of
   /// the stream given to accept(), which may take as much again, and up to 4 MB of models.
-  uint64_t memory = 3ull << 30;
+  uint64_t memory = 512ull << 20;
+  /// Yes/no decisions that are decoded, where each visit of a brick counts as 64 more: a few bytes
+  /// can hold very many. A decoder does about 30 million in a second.
+  uint64_t decisions = 1ull << 28;
 };
 
 /// One layer: a piece of the stream after which the decoded surface is better.
@@ -233,10 +249,16 @@ struct StreamInfo {
 };
 
 /// Encodes a source as a stream and appends it to `out`. A surface without vertices is a valid
-/// stream. BadArgument: the source or the options violate their contracts; `out` is then unchanged.
-[[nodiscard]] Error encode(const Volume&, const EncodeOptions&, std::vector<std::byte>& out);
-[[nodiscard]] Error encode(const Image&, const EncodeOptions&, std::vector<std::byte>& out);
-[[nodiscard]] Error encode(const Sequence&, const EncodeOptions&, std::vector<std::byte>& out);
+/// stream. BadArgument: the source or the options violate their contracts, or the bound cannot be
+/// held; `out` is then unchanged. `report`, if not null, says which, and what was measured: scalars
+/// have 29 bits, too few for samples that differ much in size, such as fill values beside a
+/// surface.
+[[nodiscard]] Error encode(const Volume&, const EncodeOptions&, std::vector<std::byte>& out,
+                           EncodeReport* report = nullptr);
+[[nodiscard]] Error encode(const Image&, const EncodeOptions&, std::vector<std::byte>& out,
+                           EncodeReport* report = nullptr);
+[[nodiscard]] Error encode(const Sequence&, const EncodeOptions&, std::vector<std::byte>& out,
+                           EncodeReport* report = nullptr);
 
 /// Reads the header and the layers' heads of a stream or of a prefix of one, without decoding. Of a
 /// prefix, `out.layers` has the layers whose heads have arrived. Truncated: the header has not

@@ -39,6 +39,8 @@ struct Header {
   static constexpr int32_t kMostBaseCells = 4;  // of the base level, on an axis
   static constexpr double kByteStep = 1.0 / 255;
   static constexpr std::size_t kMostFurther = 15;
+  static constexpr double kMostMagnitude = (1 << 29) - 1;  // larger ones saturate
+  static constexpr double kLeastStep = 1e-300;
   static constexpr int32_t kFarSteps = (1 << 29) - 1;
 
   /// The number of the finest level: as few refinements as the base's size limit allows lead from

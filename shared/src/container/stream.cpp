@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
+#include "container/crc.h"
 
 namespace isostar {
 namespace {
@@ -124,12 +123,20 @@ bool consistent(const Header& h, uint64_t flags) {
 }  // namespace
 
 uint32_t checksum(std::span<const std::byte> header) {
-  return XXH32(header.data(), header.size(), 0) & 0xFFFF;
+  Crc16 crc;
+  crc.add(header);
+  return crc.sum();
 }
 
 uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer) {
-  const uint32_t sum = XXH32(layer.data(), layer.size(), packed(head) << 8 | pack(head.error));
-  return layer.size() < kShort ? sum & 0xFFFF : sum;
+  const auto sumOf = [&](auto crc) -> uint32_t {
+    crc.add(static_cast<uint8_t>(packed(head)));
+    crc.add(static_cast<uint8_t>(pack(head.error)));
+    for (int shift = 0; shift < 64; shift += 8) crc.add(static_cast<uint8_t>(head.bytes >> shift));
+    crc.add(layer);
+    return crc.sum();
+  };
+  return head.bytes < kShort ? sumOf(Crc16()) : sumOf(Crc32());
 }
 
 void write(ByteWriter& out, const Header& h) {
@@ -197,6 +204,8 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   Header h;
   if (const Error error = readVersion(r.u8(), h); error != Error::None) return error;
   const uint64_t flags = r.varint();
+  if (r.malformed()) return Error::Corrupt;
+  if (r.overrun()) return Error::Truncated;
   if ((flags & ~uint64_t{kKnownFlags}) != 0) return Error::UnsupportedVersion;
   setFlags(h, flags);
   bool sane = readSize(r, h);

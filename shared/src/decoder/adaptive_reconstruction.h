@@ -33,8 +33,10 @@ class AdaptiveReconstruction : public Reconstruction {
     RangeDecoder coder(input.coded);
     DecoderExchange<D> exchange(
         coder, torn ? 0 : input.kSlack,
-        limits_.memory - held - (head.kind == LayerKind::Exponents ? next : 0));
+        limits_.memory - held - (head.kind == LayerKind::Exponents ? next : 0),
+        limits_.decisions - work_);
     field_.code(exchange, input.pass, header_);
+    work_ += std::min(exchange.work(), limits_.decisions - work_);
     based_ = true;
     if (exchange.overBudget()) return {Error::OverLimit};
     if (!torn && exchange.exhausted()) return {Error::Corrupt};
@@ -80,7 +82,8 @@ class AdaptiveReconstruction : public Reconstruction {
     held += adaptive->memory();
     const double offset = 2 * header_.positiveOffset - 1;
     const Limits left{limits_.samples, limits_.vertices,
-                      limits_.memory - std::min(held, limits_.memory)};
+                      limits_.memory - std::min(held, limits_.memory),
+            limits_.decisions};
     return polygonize(
         Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement}, options,
         left, out);
@@ -88,6 +91,7 @@ class AdaptiveReconstruction : public Reconstruction {
 
   const Header& header_;
   const Limits limits_;
+  uint64_t work_ = 0;  // of all layers, as Limits::decisions counts it
   AdaptiveField<D> field_;
   bool based_ = false;
 };

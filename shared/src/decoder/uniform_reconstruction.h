@@ -30,8 +30,9 @@ class UniformReconstruction : public Reconstruction {
     const auto memory = state_.memoryFor(head.kind, input.pass.kind);
     if (memory.needed > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(input.coded);
-    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.fixed).memory);
+    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.fixed).memory, limits_.decisions - work_);
     state_.code(exchange, head, input.pass);
+    work_ += std::min(exchange.work(), limits_.decisions - work_);
     const Error error = exchange.overBudget()           ? Error::OverLimit
                         : !torn && exchange.exhausted() ? Error::Corrupt
                                                         : Error::None;
@@ -124,7 +125,8 @@ class UniformReconstruction : public Reconstruction {
 
   /// What is left of the limits while `held` bytes are in use.
   [[nodiscard]] Limits left(uint64_t held) const {
-    return {limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory)};
+    return {limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory),
+            limits_.decisions};
   }
 
   /// What is known of the surface at one coded isovalue.
@@ -229,6 +231,7 @@ class UniformReconstruction : public Reconstruction {
 
   const Header& header_;
   const Limits limits_;
+  uint64_t work_ = 0;  // of all layers, as Limits::decisions counts it
   CodecState<D> state_;
   bool based_ = false, trims_ = false, torn_ = false;
 };

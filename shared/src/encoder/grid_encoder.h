@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "encoder/adaptive/encode_adaptive.h"
+#include "encoder/core/quantization.h"
 #include "encoder/uniform_layers.h"
 
 namespace isostar {
@@ -79,16 +80,23 @@ inline void setOptions(Header& header, const EncodeOptions& options) {
   header.maxError = options.lossless ? 0 : std::clamp(options.maxError, 1e-9, 1e9);
 }
 
+/// The distance that no vertex may exceed, grid steps: below what lossless means nothing is
+/// promised.
+[[nodiscard]] inline double boundOf(const Header& header) {
+  return header.lossless ? kLosslessError : std::max(header.maxError, kLosslessError);
+}
+
 /// Encodes a source of any kind. `header`: has size and placement. `domain`: empty if it is the
 /// whole box.
 template <int D>
 Error encodeGrid(std::span<const float> samples, std::span<const float> domain, Header header,
-                 const EncodeOptions& options, std::vector<std::byte>& out) {
+                 const EncodeOptions& options, std::vector<std::byte>& out, EncodeReport* report) {
   Coordinates<D> size;
   std::copy_n(header.size.begin(), D, size.begin());
   if (!valid<D>(samples, domain, size, header, options)) return Error::BadArgument;
   header.trimmed = !domain.empty();
   setOptions(header, options);
+  if (header.trimmed && !header.lossless) header.maxError = boundOf(header);
   std::deque<Source<D>> sources;
   sources.emplace_back(samples, size, options.isovalue);
   for (const double isovalue : header.furtherIsovalues)
@@ -97,6 +105,12 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   for (const Source<D>& source : sources)
     precision.add(source.precision(header.polygonizer), source.isovalue() - header.isovalue);
   precision.fix(header);
+  chooseStep(header, boundOf(header) / kQuantizationShare, [&](const Header& stream) {
+    double most = 0;
+    for (const Source<D>& source : sources)
+      most = std::max(most, quantizationError(stream, source));
+    return most;
+  });
   header.vertices = sources.front().crossings();
   std::optional<GridField<D>> end;
   if (header.trimmed) end.emplace(domain, size, 0);
@@ -112,10 +126,17 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
     }
   }
   UniformWriter<D> layers(header, options, sources.front());
-  codeUniform(layers, header, sources);
+  const double largest = codeUniform(layers, header, sources);
   // Coarse simplices are used only if they are worth their bytes.
+  if (report != nullptr) *report = {.maxError = boundOf(header)};
   if (!adaptive.empty() && adaptive.size() < layers.bytes().size())
     return put(adaptiveHeader, adaptive, options, out);
+  const bool holds = largest <= boundOf(header);
+  if (report != nullptr) *report = {.maxError = largest, .holds = holds};
+  // The distances to a domain's boundary are coded by the bound: it cannot be changed afterwards.
+  if (!holds && (!options.bestEffort || header.trimmed)) return Error::BadArgument;
+  if (!holds) header.lossless = false;
+  if (!header.lossless && !header.trimmed) header.maxError = std::max(header.maxError, largest);
   return put(header, layers.bytes(), options, out);
 }
 

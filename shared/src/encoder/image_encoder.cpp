@@ -4,8 +4,9 @@
 
 namespace isostar {
 
-Error encode(const Image& image, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<2>(image.samples, {}, headerOf(image), options, out);
+Error encode(const Image& image, const EncodeOptions& options, std::vector<std::byte>& out,
+             EncodeReport* report) {
+  return encodeGrid<2>(image.samples, {}, headerOf(image), options, out, report);
 }
 
 }  // namespace isostar

@@ -4,8 +4,9 @@
 
 namespace isostar {
 
-Error encode(const Sequence& sequence, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<4>(sequence.samples, {}, headerOf(sequence), options, out);
+Error encode(const Sequence& sequence, const EncodeOptions& options, std::vector<std::byte>& out,
+             EncodeReport* report) {
+  return encodeGrid<4>(sequence.samples, {}, headerOf(sequence), options, out, report);
 }
 
 }  // namespace isostar

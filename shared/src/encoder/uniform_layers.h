@@ -113,9 +113,12 @@ void codeDisplacements(UniformWriter<D>& layers) {
   }
 }
 
-/// Codes all layers of a uniform stream. `sources`: by isovalue, in coding order.
+/// Codes all layers of a uniform stream. `sources`: by isovalue, in coding order. Returns the
+/// largest distance of a vertex from its source's, measured, grid steps.
 template <int D>
-void codeUniform(UniformWriter<D>& layers, const Header& header, std::deque<Source<D>>& sources) {
+[[nodiscard]] double codeUniform(UniformWriter<D>& layers, const Header& header,
+                                 std::deque<Source<D>>& sources) {
+  double largest = 0;
   // In an image a block has as many vertices as edges.
   const bool displaces = D > 2 && header.vertices >= kFewestDisplaced;
   layers.signs([&](int level) {
@@ -125,11 +128,15 @@ void codeUniform(UniformWriter<D>& layers, const Header& header, std::deque<Sour
   if (header.vertices != 0) {
     if (displaces) codeDisplacements(layers);
     codeGeometry(layers, header);
+    largest = layers.largestError();
   }
   for (std::size_t i = 1; i < sources.size(); ++i) {
     layers.furtherSigns(static_cast<int>(i), sources[i]);
-    if (sources[i].crossings() != 0) codeGeometry(layers, header);
+    if (sources[i].crossings() == 0) continue;
+    codeGeometry(layers, header);
+    largest = std::max(largest, layers.largestError());
   }
+  return largest;
 }
 
 }  // namespace isostar

@@ -73,6 +73,13 @@ class UniformWriter {
     const FurtherSurface<D>& last = state_.further.surfaces().back();
     return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
   }
+  /// The largest distance of a vertex from the source's, of the isovalue in work, grid steps.
+  [[nodiscard]] double largestError() const {
+    if (number_ == 0)
+      return source_->distance().largest(state_.signs, state_.scalars, state_.active);
+    const FurtherSurface<D>& last = state_.further.surfaces().back();
+    return source_->distance().largest(last.signs, last.scalars, last.active);
+  }
   void select(std::vector<uint8_t> marked) { source_->quantized().select(std::move(marked)); }
 
   /// Codes planned displacements; `steps`: in those of the pass.

@@ -4,8 +4,9 @@
 
 namespace isostar {
 
-Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out) {
-  return encodeGrid<3>(volume.samples, volume.domain, headerOf(volume), options, out);
+Error encode(const Volume& volume, const EncodeOptions& options, std::vector<std::byte>& out,
+             EncodeReport* report) {
+  return encodeGrid<3>(volume.samples, volume.domain, headerOf(volume), options, out, report);
 }
 
 }  // namespace isostar

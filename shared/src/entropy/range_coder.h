@@ -90,6 +90,7 @@ class RangeDecoder {
   }
 
   bool bit(bool /*actual*/, uint32_t probability) {
+    ++decisions_;
     const uint32_t split = (range_ >> 16) * probability;
     const bool value = code_ < split;
     // Masks instead of a branch: what a good model leaves is hard to predict for a processor.
@@ -105,6 +106,8 @@ class RangeDecoder {
 
   /// How many bytes past the end have been read: at most 4 when an intact code has been decoded.
   [[nodiscard]] std::size_t overrun() const { return overrun_; }
+  /// How many decisions have been decoded: few bytes can hold very many.
+  [[nodiscard]] uint64_t decisions() const { return decisions_; }
 
  private:
   uint32_t byte() {
@@ -118,6 +121,7 @@ class RangeDecoder {
   uint32_t code_ = 0;
   uint32_t range_ = 0xFFFFFFFFu;
   std::size_t overrun_ = 0;
+  uint64_t decisions_ = 0;
 };
 
 /// Writes nothing; sums up how many bits the decisions cost.

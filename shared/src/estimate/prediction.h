@@ -89,12 +89,10 @@ struct Prediction {
       const Lanes known = value != Scalars<D>::kUnknown, negative = value >> 31,
                   crossing = mine ? negative : ~negative;
       const Lanes size =
-          smaller(((value ^ negative) - negative) >> unit.shift, Lanes{} + SizeUnit::kMostSize) &
-          known;
+          smaller(negated(value, negative) >> unit.shift, Lanes{} + SizeUnit::kMostSize) & known;
       others += size & crossing;
       all += size;
-      theirs +=
-          larger(((slope + estimate) ^ negative) - negative, Lanes{} + kLeastEstimate) & known;
+      theirs += larger(negated(slope + estimate, negative), Lanes{} + kLeastEstimate) & known;
       counted += ((slope << 8) + 16 + (crossing & 1)) & known;
     }
     const Lanes sum = sums(others, all, theirs, counted);
@@ -114,6 +112,13 @@ struct Prediction {
   static constexpr std::size_t kVectors = (2 * D + 3) / 4;
   static Lanes lanes(const int32_t* values) {
     return Lanes{values[0], values[1], values[2], values[3]};
+  }
+  /// The negative of each lane whose mask is -1. Unsigned, because kUnknown has no negative; the
+  /// callers mask its lanes.
+  static Lanes negated(Lanes values, Lanes mask) {
+    using Unsigned [[gnu::vector_size(16)]] = uint32_t;
+    const auto bits = reinterpret_cast<Unsigned>(mask);
+    return reinterpret_cast<Lanes>((reinterpret_cast<Unsigned>(values) ^ bits) - bits);
   }
 };
 

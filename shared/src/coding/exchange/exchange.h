@@ -26,6 +26,7 @@ class EncoderExchange {
   Coder& coder() { return coder_; }
   [[nodiscard]] bool exhausted() const { return false; }
   [[nodiscard]] bool charge(uint64_t) const { return true; }
+  void visitBrick() const {}
   void hold(uint64_t) {}
 
   /// For a layer that spans several levels: by level, the signs, and the centres of the cells that
@@ -114,10 +115,11 @@ class EncoderExchange {
 template <int D>
 class DecoderExchange {
  public:
-  /// exhausted() becomes true after `slack` bytes beyond the end, or when the current state needs
-  /// more than `budget` bytes.
-  DecoderExchange(RangeDecoder& coder, std::size_t slack, uint64_t budget)
-      : coder_(coder), slack_(slack), budget_(budget) {}
+  /// exhausted() becomes true after `slack` bytes beyond the end, when the current state needs more
+  /// than `memory` bytes, or when work() exceeds `most`.
+  DecoderExchange(RangeDecoder& coder, std::size_t slack, uint64_t memory,
+                  uint64_t most = UINT64_MAX)
+      : coder_(coder), slack_(slack), memory_(memory), mostWork_(most) {}
 
   RangeDecoder& coder() { return coder_; }
   /// Are the bytes of the layer or the memory used up? Anything decoded from here on is noise.
@@ -125,13 +127,21 @@ class DecoderExchange {
   /// Reports the memory that the current state uses, in bytes. False if the budget is exceeded or
   /// the bytes are used up: nothing more may be decoded then.
   [[nodiscard]] bool charge(uint64_t memory) {
-    overBudget_ = overBudget_ || memory + held_ > budget_;
+    ++walked_;
+    overBudget_ = overBudget_ || memory + held_ > memory_;
     return !exhausted();
   }
+  /// Reports that a brick's vertices are gone through, whether or not anything is decoded there.
+  void visitBrick() {
+    walked_ += kDecisionsPerBrick;
+    overBudget_ = overBudget_ || work() > mostWork_;
+  }
+  /// As Limits::decisions counts it.
+  [[nodiscard]] uint64_t work() const { return coder_.decisions() + walked_; }
   /// Sets the bytes in use beside those that are reported to charge().
   void hold(uint64_t bytes) {
     held_ = bytes;
-    overBudget_ = overBudget_ || held_ > budget_;
+    overBudget_ = overBudget_ || held_ > memory_;
   }
   void enterLevel(int) {}
   [[nodiscard]] bool overBudget() const { return overBudget_; }
@@ -157,9 +167,11 @@ class DecoderExchange {
   [[nodiscard]] bool selected(std::size_t) const { return false; }
 
  private:
+  static constexpr uint64_t kDecisionsPerBrick = 64;  // loading a window takes as long
+
   RangeDecoder& coder_;
   std::size_t slack_;
-  uint64_t budget_, held_ = 0;
+  uint64_t memory_, held_ = 0, mostWork_, walked_ = 0;
   bool overBudget_ = false;
 };
 

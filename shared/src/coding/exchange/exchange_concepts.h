@@ -16,6 +16,7 @@ concept AnyExchange = requires(E& e) {
   e.coder();
   { e.exhausted() } -> std::convertible_to<bool>;
   { e.charge(uint64_t{}) } -> std::convertible_to<bool>;
+  e.visitBrick();
 };
 
 /// Signs of single vertices, and the first simplex of the next component (§5.1).

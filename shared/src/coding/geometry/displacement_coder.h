@@ -35,6 +35,7 @@ class DisplacementCoder {
   template <DisplacementExchange Exchange>
   void cubes(Exchange& exchange, const Signs<D>& signs, Values& displacements,
              std::size_t brickIndex, const DisplacementPass& pass) {
+    exchange.visitBrick();
     findMembers(signs, displacements, brickIndex);
     auto& own = displacements.writable(brickIndex);
     window_.load(displacements, signs.table(), signs.table().brick(brickIndex));

@@ -28,6 +28,7 @@ class DomainCoder {
       for (std::size_t brickIndex = 0;
            brickIndex < active.size() && exchange.charge(domain.memory()); ++brickIndex) {
         if (active[brickIndex] == 0) continue;
+        exchange.visitBrick();
         tube_.enter(signs, brickIndex, Members::AxisEnds);
         if (diagonals) tube_.addDiagonalEnds(signs);
         if (!tube_.empty()) brick(exchange, brickIndex, sides, domain);
@@ -135,7 +136,9 @@ class DomainCoder {
   template <DomainExchange Exchange>
   ISOSTAR_COLD int32_t codeDistance(Exchange& exchange, const int32_t* here, int32_t actual) {
     const bool inside = *here >= 0;
-    const auto [guess, trust] = this->guess(here);
+    const Guess nearby = guess(here);
+    const int32_t guess = nearby.distance;
+    const std::size_t trust = nearby.trust;
     const int32_t difference = (inside ? actual : -1 - actual) - guess;
     const bool less = guess > 0 && bit(exchange, less_[trust], difference < 0);
     const int32_t wanted = less ? -difference : difference,

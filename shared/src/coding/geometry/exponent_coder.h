@@ -43,6 +43,7 @@ class ExponentCoder {
     for (std::size_t brickIndex = 0;
          brickIndex < active.size() && exchange.charge(scalars.memory()); ++brickIndex) {
       if (active[brickIndex] == 0) continue;
+      exchange.visitBrick();
       tube_.enter(signs, brickIndex, members);
       choose(tube_);
       if (tube_.empty()) continue;

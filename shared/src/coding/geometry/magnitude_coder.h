@@ -40,6 +40,7 @@ class MagnitudeCoder {
       if (active[brickIndex] == 0 || !scalars.has(brickIndex)) continue;
       if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex)))
         continue;
+      exchange.visitBrick();
       gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));

@@ -25,6 +25,7 @@ class FurtherMagnitudeCoder {
         continue;
       if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex)))
         continue;
+      exchange.visitBrick();
       gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));

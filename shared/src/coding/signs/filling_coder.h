@@ -17,6 +17,7 @@ class FillingCoder {
     for (std::size_t brickIndex = 0;
          brickIndex < signs.table().total() && exchange.charge(signs.memory()); ++brickIndex) {
       if (absent.slot(brickIndex) == Signs<D>::kNegative) continue;
+      exchange.visitBrick();
       rows_.enter(signs, nullptr, brickIndex, newAxisCount);
       for (int i = 0; i < rows_.openCount(); ++i) {
         auto& row = rows_.open(i);

@@ -114,6 +114,7 @@ class RefinementCoder {
 
   template <SignExchange Exchange>
   void brick(Exchange& exchange, Signs<D>& signs, std::size_t brickIndex, int newAxisCount) {
+    exchange.visitBrick();
     rows_.enter(signs, absent_, brickIndex, newAxisCount);
     if (absent_ != nullptr) {
       if (newAxisCount == D) keeps_.code(exchange, brickIndex, rows_);

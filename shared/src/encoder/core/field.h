@@ -82,10 +82,6 @@ class GridField {
   /// activeBricks(signs).
   [[nodiscard]] Precision precision(Polygonizer polygonizer, const Signs<D>& signs,
                                     const std::vector<uint8_t>& active) const;
-  /// Sets the quantization step for a single isovalue.
-  void quantize(Header& header, const Signs<D>& signs, const std::vector<uint8_t>& active) const {
-    precision(header.polygonizer, signs, active).fix(header);
-  }
 
   /// The scalar of vertex x in row r of a brick of the finest level.
   [[nodiscard]] double scalar(std::size_t brickIndex, std::size_t r, int x) const {
@@ -119,7 +115,7 @@ class GridField {
     if (header.whole)
       return static_cast<uint32_t>(
           (d > 0 ? d - header.positiveOffset : -d - header.negativeOffset) + 0.5);
-    return static_cast<uint32_t>(std::min(std::abs(d), double((1 << 29) - 1)));
+    return static_cast<uint32_t>(std::min(std::abs(d), Header::kMostMagnitude));
   }
   /// The median difference along the crossing axis edges in and next to a brick: 4 log2 of
   /// quantization steps. `signs`: the finest level's.

@@ -1,4 +1,5 @@
 // Polygonizes a source directly, without a stream.
+#include "encoder/core/quantization.h"
 #include "encoder/core/quantized_field.h"
 #include "grid/refined_signs.h"
 #include "grid/tube.h"
@@ -23,13 +24,16 @@ Error withSource(std::span<const float> samples, std::span<const float> domain, 
   if (!invertible(header.placement) || !sensible<D>(samples, size, isovalue))
     return Error::BadArgument;
   if (!domain.empty() && !sensible<D>(domain, size, 0)) return Error::BadArgument;
-  const GridField<D> field(samples, size, isovalue);
-  const auto signs = field.signs();
-  const auto active = activeBricks(signs);
+  const Source<D> source(samples, size, isovalue);
+  const auto& field = source.field();
+  const auto& signs = source.signs();
+  const auto& active = source.active();
   header.isovalue = isovalue;
   header.lossless = true;
   header.polygonizer = polygonizer;
-  field.quantize(header, signs, active);
+  source.precision(polygonizer).fix(header);
+  chooseStep(header, kLosslessError / kQuantizationShare,
+             [&](const Header& stream) { return quantizationError(stream, source); });
   const GridField<D> end(domain, size, 0);
   Scalars<D> scalars(active.size()), distances(domain.empty() ? 0 : active.size());
   Tube<D> tube;

@@ -26,6 +26,8 @@ class Source {
   [[nodiscard]] Precision precision(Polygonizer polygonizer) const {
     return field_.precision(polygonizer, signs_, active_);
   }
+  /// As of quantizationError().
+  [[nodiscard]] const std::vector<uint8_t>& active() const { return active_; }
   /// Must be called once, when the stream's quantization step is fixed. `domain`: of a trimmed
   /// stream, otherwise null.
   void measureIn(const Header& stream, const GridField<D>* domain) {

@@ -144,36 +144,53 @@ double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
 }
 
 template <int D>
-std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs,
-                                               const Scalars<D>& scalars,
-                                               const std::vector<uint8_t>& active) const {
-  const auto& table = signs.table();
-  std::vector<uint8_t> marked(active.size(), 0);
-  bool any = false;
+template <class Visit>
+void SourceDistance<D>::forEachCrossing(const Signs<D>& signs, const Scalars<D>& scalars,
+                                        const std::vector<uint8_t>& active, Visit visit) const {
   std::array<double, 1u << D> lengths{};
   for (unsigned axes = 1; axes < lengths.size(); ++axes)
     lengths[axes] = edgeLength(header_.placement, axes);
   ScalarWindow<D> window;
   forCrossedRows(
       signs, active, header_.polygonizer == Polygonizer::Tetrahedra,
-      [&](std::size_t brickIndex) { window.load(scalars, table, table.brick(brickIndex)); },
+      [&](std::size_t brickIndex) {
+        window.load(scalars, signs.table(), signs.table().brick(brickIndex));
+      },
       [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-        const double allowed = bound / lengths[axes];
         for (; crossed != 0; crossed &= crossed - 1) {
           const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-          const double even = size(window.value[static_cast<std::size_t>(ends.evenAt)]);
-          const double odd = size(window.value[static_cast<std::size_t>(ends.oddAt)]);
-          const double trueEven = std::abs(field_.scalar(ends.even)),
-                       trueOdd = std::abs(field_.scalar(ends.odd));
-          // The difference between even / (even + odd) and its actual value, without divisions.
-          if (std::abs(even * trueOdd - odd * trueEven) <=
-              allowed * (even + odd) * (trueEven + trueOdd))
-            continue;
-          for (const auto& end : {ends.even, ends.odd}) marked[table.brickIndexOf(end)] = 1;
-          any = true;
+          visit(ends, CodedCrossing{size(window.value[static_cast<std::size_t>(ends.evenAt)]),
+                                    size(window.value[static_cast<std::size_t>(ends.oddAt)]),
+                                    std::abs(field_.scalar(ends.even)),
+                                    std::abs(field_.scalar(ends.odd)), lengths[axes]});
         }
       });
+}
+
+template <int D>
+std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs,
+                                               const Scalars<D>& scalars,
+                                               const std::vector<uint8_t>& active) const {
+  std::vector<uint8_t> marked(active.size(), 0);
+  bool any = false;
+  forEachCrossing(signs, scalars, active,
+                  [&](const EdgeEnds<D>& ends, const CodedCrossing& crossing) {
+                    if (crossing.isWithin(bound)) return;
+                    for (const auto& end : {ends.even, ends.odd})
+                      marked[signs.table().brickIndexOf(end)] = 1;
+                    any = true;
+                  });
   return any ? marked : std::vector<uint8_t>();
+}
+
+template <int D>
+double SourceDistance<D>::largest(const Signs<D>& signs, const Scalars<D>& scalars,
+                                  const std::vector<uint8_t>& active) const {
+  double most = 0;
+  forEachCrossing(signs, scalars, active, [&](const EdgeEnds<D>&, const CodedCrossing& crossing) {
+    most = std::max(most, crossing.distance());
+  });
+  return most;
 }
 
 template class SourceDistance<2>;

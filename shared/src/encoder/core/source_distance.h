@@ -2,6 +2,7 @@
 // bound is checked with it.
 #pragma once
 
+#include "encoder/core/coded_crossing.h"
 #include "encoder/core/field.h"
 #include "estimate/hints.h"
 #include "scalars/crossings.h"
@@ -33,6 +34,11 @@ class SourceDistance {
   [[nodiscard]] std::vector<uint8_t> beyond(double bound, const Signs<D>& signs,
                                             const Scalars<D>& scalars,
                                             const std::vector<uint8_t>& active) const;
+  /// The largest distance of a vertex of the finest surface from the source's on the same edge.
+  /// Both surfaces have the same polygons over these vertices, so that no point of either is
+  /// farther from the other.
+  [[nodiscard]] double largest(const Signs<D>& signs, const Scalars<D>& scalars,
+                               const std::vector<uint8_t>& active) const;
 
  private:
   using Point = std::array<double, D>;
@@ -46,6 +52,10 @@ class SourceDistance {
     Point position, normal;
   };
 
+  /// Calls visit(ends, coded crossing) for each crossing edge of the active bricks.
+  template <class Visit>
+  void forEachCrossing(const Signs<D>& signs, const Scalars<D>& scalars,
+                       const std::vector<uint8_t>& active, Visit visit) const;
   [[nodiscard]] double size(int32_t value, double unit = 1) const;
   [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, const Sample& sample,
                                double unit) const;

@@ -1,0 +1,77 @@
+#include "cli/verified_encoding.h"
+
+#include "cli/progress_bar.h"
+#include "cli/stream_file.h"
+#include "files/failure.h"
+#include "files/text.h"
+#include "measure/surface_distance.h"
+#include "volume/placement.h"
+
+namespace isostar::native {
+namespace {
+
+std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions options,
+                                     const std::string& path) {
+  ProgressBar bar("encoding");
+  options.progress = [&bar](double done) { bar.show(done); };
+  std::vector<std::byte> stream;
+  EncodeReport report;
+  const Error error = volume.dimension == 2   ? encode(volume.image(), options, stream, &report)
+                      : volume.dimension == 3 ? encode(volume.view(), options, stream, &report)
+                                              : encode(volume.sequence(), options, stream, &report);
+  if (error == Error::BadArgument && !report.holds)
+    throw Failure(path,
+                  text("cannot be encoded %s: its samples differ so much in size that the "
+                       "surface would be up to %.3g grid steps off; --best-effort writes it "
+                       "with that bound",
+                       options.lossless ? "without loss" : "within the bound", report.maxError));
+  if (error != Error::None) throw Failure(path, describe(error));
+  return stream;
+}
+
+/// The surface of a stream in the world.
+Mesh decodedMesh(const std::vector<std::byte>& stream, const std::string& path) {
+  Decoder decoder(nativeLimits());
+  decoder.accept(stream);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  Mesh mesh;
+  Error error = decoder.error();
+  if (error == Error::None) error = decoder.mesh({.normals = false}, mesh);
+  if (error != Error::None) throw Failure(path, describe(error));
+  return mesh;
+}
+
+bool isAdaptive(const std::vector<std::byte>& stream) {
+  StreamInfo info;
+  return inspect(stream, info) == Error::None && info.adaptive;
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeVerified(const LoadedVolume& volume, EncodeOptions options,
+                                      const std::string& path) {
+  std::vector<std::byte> stream = encodeWithBar(volume, options, path);
+  if (volume.dimension != 3 || !isAdaptive(stream)) return stream;
+  constexpr int kTries = 3;
+  constexpr double kNextTry = 0.75;  // of the bound before
+  const double bound = options.maxError * smallestSpacing(volume.placement);
+  Mesh source;
+  const MeshOptions world{.normals = false};
+  if (const Error error = polygonize(volume.view(), options.isovalue, world, source);
+      error != Error::None)
+    throw Failure(path, describe(error));
+  for (int i = 0; i < kTries && isAdaptive(stream); ++i) {
+    const auto distance = measure::surfaceDistance(decodedMesh(stream, path), source);
+    if (distance && distance->symmetric().max <= bound) return stream;
+    options.maxError *= kNextTry;
+    stream = encodeWithBar(volume, options, path);
+  }
+  if (!isAdaptive(stream)) return stream;
+  options.adaptive = false;
+  options.maxError = bound / smallestSpacing(volume.placement);
+  return encodeWithBar(volume, options, path);
+}
+
+}  // namespace isostar::native

@@ -1,0 +1,70 @@
+// The quantization step of a stream: what the crossings of its isovalues require.
+#pragma once
+
+#include <deque>
+
+#include "encoder/core/source.h"
+
+namespace isostar {
+
+/// "Lossless" means that every vertex is within this distance of the source's, in grid steps: less
+/// than the spacing of 32-bit coordinates beyond 512 samples.
+inline constexpr double kLosslessError = 1.0 / (1 << 14);
+
+/// Quantization may take this part of the bound at most, if a finer step can.
+inline constexpr double kQuantizationShare = 16;
+
+/// The size of a scalar as a stream's steps have it, in steps. `shift`: of the isovalue above the
+/// first one, from which all scalars are counted.
+[[nodiscard]] inline double codedSize(const Header& header, double scalar, int32_t shift) {
+  const double steps = scalar / header.quantizationStep + shift;
+  const double magnitude = std::floor(std::min(std::abs(steps), Header::kMostMagnitude)) + 0.5;
+  return std::abs((steps > 0 ? magnitude : -magnitude) - shift);
+}
+
+/// The largest distance by which quantization alone moves a vertex of a source's surface.
+template <int D>
+[[nodiscard]] double quantizationError(const Header& header, const Source<D>& source) {
+  if (header.whole) return 0;
+  std::array<double, 1u << D> lengths{};
+  for (unsigned axes = 1; axes < lengths.size(); ++axes)
+    lengths[axes] = edgeLength(header.placement, axes);
+  const int32_t shift = header.shift(source.isovalue());
+  double most = 0;
+  forCrossedRows(
+      source.signs(), source.active(), header.polygonizer == Polygonizer::Tetrahedra,
+      [](std::size_t) {},
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        for (; crossed != 0; crossed &= crossed - 1) {
+          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
+          const double even = source.field().scalar(ends.even),
+                       odd = source.field().scalar(ends.odd);
+          const CodedCrossing crossing{codedSize(header, even, shift),
+                                       codedSize(header, odd, shift), std::abs(even), std::abs(odd),
+                                       lengths[axes]};
+          most = std::max(most, crossing.distance());
+        }
+      });
+  return most;
+}
+
+/// Makes the step finer where the largest sample would set one that is too coarse for other
+/// crossings, as a fill value does: samples beyond the largest magnitude then saturate. Keeps the
+/// step that moves vertices least; a step that moves none by more than `allowed` stays.
+/// `errorOf(header)`: quantizationError() over all sources of the stream.
+template <class ErrorOf>
+void chooseStep(Header& header, double allowed, ErrorOf errorOf) {
+  constexpr int kMostHalvings = 200;
+  double least = errorOf(header);
+  Header finer = header;
+  for (int i = 0; i < kMostHalvings && least > allowed; ++i) {
+    finer.quantizationStep /= 2;
+    if (finer.quantizationStep < Header::kLeastStep) return;
+    const double error = errorOf(finer);
+    if (error > least) return;
+    least = error;
+    header.quantizationStep = finer.quantizationStep;
+  }
+}
+
+}  // namespace isostar
