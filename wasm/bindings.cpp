@@ -4,13 +4,27 @@
 
 #include <isostar/isostar.h>
 
+#include <algorithm>
+
 using emscripten::val;
 
 namespace {
 
+// Not inlined, and for few types: the smaller module. JavaScript has one type of number.
+
+template <class Number>
+[[gnu::noinline]] val arrayOf(const Number* begin, size_t length) {
+  return val::array(begin, begin + length);
+}
 template <class Numbers>
 val arrayOf(const Numbers& numbers) {
-  return val::array(numbers.begin(), numbers.end());
+  return arrayOf(numbers.data(), numbers.size());
+}
+[[gnu::noinline]] void put(val& out, const char* name, const val& value) {
+  out.set(name, value);
+}
+[[gnu::noinline]] void put(val& out, const char* name, double value) {
+  put(out, name, val(value));
 }
 
 /// A view into this module's memory, valid until the next call into the module.
@@ -21,12 +35,12 @@ val viewOf(const std::vector<Number>& numbers) {
 
 val describeLayer(const isostar::LayerInfo& layer, const std::vector<double>& isovalues) {
   val out = val::object();
-  out.set("kind", layer.kind);
-  out.set("level", layer.level);
-  out.set("offset", double(layer.offset));
-  out.set("bytes", double(layer.bytes));
-  out.set("error", layer.error);
-  out.set("isovalue", isovalues[size_t(layer.isovalue)]);
+  put(out, "kind", val(layer.kind));
+  put(out, "level", layer.level);
+  put(out, "offset", double(layer.offset));
+  put(out, "bytes", double(layer.bytes));
+  put(out, "error", layer.error);
+  put(out, "isovalue", isovalues[size_t(layer.isovalue)]);
   return out;
 }
 
@@ -34,27 +48,44 @@ val describeStream(const isostar::StreamInfo& info) {
   val out = val::object(), layers = val::array();
   for (const auto& layer : info.layers)
     layers.call<void>("push", describeLayer(layer, info.isovalues));
-  out.set("version", info.version);
-  out.set("dimension", info.dimension);
-  out.set("size", arrayOf(info.size));
-  out.set("origin", arrayOf(info.placement.origin));
-  out.set("spacing", arrayOf(info.placement.spacing));
-  out.set("direction", arrayOf(info.placement.direction));
-  out.set("isovalues", arrayOf(info.isovalues));
-  out.set("polygonizer",
-          std::string(info.polygonizer == isostar::Polygonizer::Cubes ? "cubes" : "tetrahedra"));
-  out.set("lossless", info.lossless);
-  out.set("effort", info.effort);
-  out.set("maxError", info.maxError);
-  out.set("vertices", double(info.vertices));
-  out.set("headerBytes", double(info.headerBytes));
-  out.set("bytes", double(info.bytes));
-  out.set("layers", layers);
+  put(out, "version", info.version);
+  put(out, "dimension", info.dimension);
+  put(out, "size", arrayOf(info.size));
+  put(out, "origin", arrayOf(info.placement.origin));
+  put(out, "spacing", arrayOf(info.placement.spacing));
+  put(out, "direction", arrayOf(info.placement.direction));
+  put(out, "isovalues", arrayOf(info.isovalues));
+  put(out, "polygonizer",
+      val(info.polygonizer == isostar::Polygonizer::Cubes ? "cubes" : "tetrahedra"));
+  put(out, "lossless", val(info.lossless));
+  put(out, "effort", info.effort);
+  put(out, "maxError", info.maxError);
+  put(out, "vertices", double(info.vertices));
+  put(out, "headerBytes", double(info.headerBytes));
+  put(out, "bytes", double(info.bytes));
+  put(out, "layers", layers);
   return out;
+}
+
+/// A limit from JavaScript. NaN leaves the default; 2^63 and infinity mean no limit.
+void setLimit(uint64_t& limit, double wanted) {
+  if (wanted >= 0) limit = static_cast<uint64_t>(std::min(wanted, 0x1p63));
+}
+
+isostar::Limits limitsOf(double memory, double samples, double vertices, double decisions) {
+  isostar::Limits limits;
+  setLimit(limits.memory, memory);
+  setLimit(limits.samples, samples);
+  setLimit(limits.vertices, vertices);
+  setLimit(limits.decisions, decisions);
+  return limits;
 }
 
 class RawDecoder {
  public:
+  RawDecoder(double memory, double samples, double vertices, double decisions)
+      : decoder_(limitsOf(memory, samples, vertices, decisions)) {}
+
   /// A view of n bytes of this module's memory, to be filled immediately, before accept(n).
   val room(size_t n) {
     room_.resize(n);
@@ -64,12 +95,10 @@ class RawDecoder {
   void finish() { decoder_.finish(); }
   bool advance() { return decoder_.advance(); }
 
-  bool ready() const { return decoder_.ready(); }
   bool isFinal() const { return decoder_.isFinal(); }
   int level() const { return decoder_.level(); }
   int levels() const { return decoder_.levels(); }
   double bytes() const { return double(decoder_.bytes()); }
-  double rmsError() const { return decoder_.rmsError(); }
   val info() const { return describeStream(decoder_.info()); }
   std::string error() const { return isostar::name(decoder_.error()); }
   std::string describeError() const { return isostar::describe(decoder_.error()); }
@@ -108,17 +137,15 @@ EMSCRIPTEN_BINDINGS(isostar) {
       .value("grid", isostar::Frame::Grid);
 
   emscripten::class_<RawDecoder>("Decoder")
-      .constructor<>()
+      .constructor<double, double, double, double>()
       .function("room", &RawDecoder::room)
       .function("accept", &RawDecoder::accept)
       .function("finish", &RawDecoder::finish)
       .function("advance", &RawDecoder::advance)
-      .function("ready", &RawDecoder::ready)
       .function("isFinal", &RawDecoder::isFinal)
       .function("level", &RawDecoder::level)
       .function("levels", &RawDecoder::levels)
       .function("bytes", &RawDecoder::bytes)
-      .function("rmsError", &RawDecoder::rmsError)
       .function("info", &RawDecoder::info)
       .function("error", &RawDecoder::error)
       .function("describeError", &RawDecoder::describeError)

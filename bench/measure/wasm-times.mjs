@@ -14,7 +14,7 @@ async function isostarModule(build) {
 }
 
 function decodeIsostar(module, bytes, normals) {
-  const decoder = new module.Decoder();
+  const decoder = new module.Decoder(NaN, NaN, NaN, NaN);
   decoder.room(bytes.length).set(bytes);
   decoder.accept(bytes.length);
   decoder.finish();

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,21 @@ Matrix product(const Matrix& a, const Matrix& b) {
     for (size_t row = 0; row < 4; ++row)
       for (size_t i = 0; i < 4; ++i) c[4 * column + row] += a[4 * i + row] * b[4 * column + i];
   return c;
+}
+
+/// A number that must be whole and not negative; JSON may write it with a fraction of zero. One
+/// that is not is larger than anything that it could count.
+size_t whole(const Json& json) {
+  if (json.is_number_unsigned()) return json.get<size_t>();
+  const auto number = json.get<double>();
+  constexpr double kMost = 9007199254740992;  // beyond it not all whole numbers are doubles
+  return number >= 0 && number <= kMost && number == std::floor(number)
+             ? static_cast<size_t>(number)
+             : SIZE_MAX;
+}
+
+size_t whole(const Json& object, const char* name, size_t otherwise) {
+  return object.contains(name) ? whole(object.at(name)) : otherwise;
 }
 
 /// A node's local transformation: a matrix, or translation, rotation (a quaternion x, y, z, w) and
@@ -86,7 +102,7 @@ class SceneReader {
     }
     const Json scenes = json_.value("scenes", Json::array());
     if (scenes.empty()) return {};
-    for (const Json& node : scenes.at(json_.value("scene", 0)).value("nodes", Json::array()))
+    for (const Json& node : scenes.at(whole(json_, "scene", 0)).value("nodes", Json::array()))
       await(node, kIdentity);
     while (!waiting_.empty()) {
       const auto [index, above] = waiting_.back();
@@ -119,16 +135,15 @@ class SceneReader {
   void await(const Json& node, const Matrix& above) {
     if (awaited_++ == json_.at("nodes").size())
       fail("is damaged: a node has two parents, or contains itself");
-    waiting_.push_back({node.get<size_t>(), above});
+    waiting_.push_back({whole(node), above});
   }
 
   void visit(const Json& node, const Matrix& above) {
     const Matrix placement = product(above, transformOf(node));
     for (const Json& child : node.value("children", Json::array())) await(child, placement);
     if (!node.contains("mesh")) return;
-    for (const Json& primitive :
-         json_.at("meshes").at(node.at("mesh").get<size_t>()).at("primitives")) {
-      if (primitive.value("mode", kTriangles) == kTriangles) add(primitive, placement);
+    for (const Json& primitive : json_.at("meshes").at(whole(node.at("mesh"))).at("primitives")) {
+      if (whole(primitive, "mode", kTriangles) == kTriangles) add(primitive, placement);
     }
   }
 
@@ -137,17 +152,17 @@ class SceneReader {
     const Json& json = json_.at("accessors").at(index);
     if (json.contains("sparse") || !json.contains("bufferView"))
       fail("has a sparse accessor, which is not supported");
-    const Json& view = json_.at("bufferViews").at(json.at("bufferView").get<size_t>());
-    const auto start = view.value("byteOffset", size_t{0}),
-               length = view.at("byteLength").get<size_t>();
-    Accessor found{.offset = json.value("byteOffset", size_t{0}),
-                   .stride = view.value("byteStride", size_t{0}),
-                   .count = json.at("count").get<size_t>(),
-                   .type = json.at("componentType").get<int>()};
+    const Json& view = json_.at("bufferViews").at(whole(json.at("bufferView")));
+    const auto start = whole(view, "byteOffset", 0), length = whole(view.at("byteLength"));
+    Accessor found{
+        .offset = whole(json, "byteOffset", 0),
+        .stride = whole(view, "byteStride", 0),
+        .count = whole(json.at("count")),
+        .type = static_cast<int>(std::min<size_t>(whole(json.at("componentType")), INT_MAX))};
     const size_t each = width * bytesOf(found.type);
     if (found.stride == 0) found.stride = each;
     const bool fits =
-        view.value("buffer", 0) == 0 && start <= binary_.size() &&
+        whole(view, "buffer", 0) == 0 && start <= binary_.size() &&
         length <= binary_.size() - start && found.offset <= length && found.stride >= each &&
         (found.count == 0 || (length - found.offset >= each &&
                               (length - found.offset - each) / found.stride >= found.count - 1));
@@ -158,12 +173,12 @@ class SceneReader {
 
   void add(const Json& primitive, const Matrix& placement) {
     const Accessor positions =
-        accessor(primitive.at("attributes").at("POSITION").get<size_t>(), "VEC3", 3);
+        accessor(whole(primitive.at("attributes").at("POSITION")), "VEC3", 3);
     if (positions.type != kFloat) fail("has positions that are not floats");
     const size_t first = mesh_.positions.size() / 3;
     addPositions(positions, placement);
     if (primitive.contains("indices"))
-      return addIndices(accessor(primitive.at("indices").get<size_t>(), "SCALAR", 1), first,
+      return addIndices(accessor(whole(primitive.at("indices")), "SCALAR", 1), first,
                         positions.count);
     for (size_t v = 0; v < positions.count / 3 * 3; ++v)
       mesh_.indices.push_back(static_cast<uint32_t>(first + v));

@@ -54,6 +54,9 @@ Names numbered(const std::string& words) {
   if (pattern[letter] != 'd' && pattern[letter] != 'i' && pattern[letter] != 'u') return {};
   const bool zeros = pattern[percent + 1] == '0';
   const size_t width = std::strtoul(pattern.c_str() + percent + 1, nullptr, 10);
+  constexpr int64_t kMostNumber = 1'000'000'000;
+  for (const int64_t number : {first, last, step})
+    if (number < -kMostNumber || number > kMostNumber) return {};
   Names names;
   for (int64_t i = first; step > 0 ? i <= last : i >= last; i += step) {
     if (static_cast<int64_t>(names.size()) == kMostFiles || width > 255) return {};

@@ -2,6 +2,7 @@
 // digits, and its reader replaces NaN by zero. The library below it does neither if its image
 // loader is not used.
 #include <nifti1_io.h>
+#include <algorithm>
 
 #include <cmath>
 #include <cstring>
@@ -120,7 +121,7 @@ LoadedVolume readNifti(const std::string& path) {
   claimed.size = sizeOf(*header, path);
   claimed.frames = header->ndim > 3 ? header->nt : 1;
   claimed.type = sampleType(*header, path);
-  SampleBuffer buffer = bufferFor(path, claimed, fileSize(header->iname));
+  SampleBuffer buffer = bufferFor(path, claimed, std::max<uint64_t>(fileSize(header->iname), 1));
   readSamples(*header, path, buffer);
   for (size_t axis = 0; axis < 3; ++axis)
     volume.size[axis] = static_cast<int32_t>(claimed.size[axis]);

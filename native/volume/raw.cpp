@@ -1,5 +1,6 @@
 // A file of samples without a header, x fastest, little endian. The command line gives size and
 // type.
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 
@@ -12,7 +13,7 @@ namespace isostar::native {
 
 LoadedVolume readRaw(const VolumeRequest& request) {
   const uint64_t length = fileSize(request.path);
-  SampleBuffer buffer(request.path, *request.size, *request.type, length);
+  SampleBuffer buffer(request.path, *request.size, *request.type, std::max<uint64_t>(length, 1));
   if (buffer.bytes() != length)
     throw Failure(request.path, text("has %llu bytes, but --size and --type require %zu",
                                      static_cast<unsigned long long>(length), buffer.bytes()));

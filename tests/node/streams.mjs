@@ -112,6 +112,8 @@ export const ballStream = () => encodeField('ball', [17, 15, 16], ball(15));
 /** Many levels and some ten kilobytes. */
 export const gyroidStream = () =>
   encodeField('gyroid', [64, 60, 50], gyroid(25), '--spacing', '0.5,1,2');
+/** Takes more than 4 MB to decode. */
+export const largeStream = () => encodeField('large', [120, 120, 120], gyroid(25));
 /** Three isovalues: 0, 0.25 and 0.5. */
 export const severalStream = () =>
   encodeField('gyroids', [64, 60, 50], gyroid(25), '--near', '0.25,0.5');

@@ -132,7 +132,11 @@ export class IsostarSurfaceElement extends Base {
     this.#progress!.hidden = false;
     this.#progress!.value = 0;
     try {
-      const decoder = await (sharedDecoder ??= createDecoder());
+      sharedDecoder ??= createDecoder();
+      const decoder = await sharedDecoder.catch((reason) => {
+        sharedDecoder = undefined; // the next element tries again
+        throw reason;
+      });
       const response = await fetch(new URL(src, document.baseURI), { signal });
       const polygonizer = (this.getAttribute('polygonizer') ?? 'cubes') as Polygonizer;
       for await (const surface of decoder.decode(response, { signal, polygonizer }))

@@ -1,5 +1,6 @@
 import { IsostarError } from './api/errors.js';
-import type { Decoder } from './api/surface.js';
+import type { Decoder, Limits } from './api/surface.js';
+import { checkLimits } from './codec/limits.js';
 import type { WasmSource } from './codec/load-module.js';
 
 export { IsostarError, type IsostarErrorCode } from './api/errors.js';
@@ -8,20 +9,27 @@ export type { WasmSource } from './codec/load-module.js';
 
 export interface DecoderOptions {
   /** The decoder's WebAssembly: its address or its bytes; by default this package's own. */
-  wasm?: WasmSource;
+  wasm?: WasmSource | undefined;
   /** Decode in a worker; by default true on pages and false elsewhere. */
-  worker?: boolean;
+  worker?: boolean | undefined;
+  /** What decoding each stream may cost. */
+  limits?: Limits | undefined;
 }
 
 const isPage = typeof document !== 'undefined' && typeof Worker !== 'undefined';
 
-/** A decoder can be reused: it decodes any number of streams, also at the same time. */
+/**
+ * A decoder can be reused: it decodes any number of streams, also at the same time. Throws an
+ * `IsostarError` with code `BadArgument` if the WebAssembly or the worker cannot be loaded.
+ */
 export async function createDecoder({
   wasm,
   worker = isPage,
+  limits,
 }: DecoderOptions = {}): Promise<Decoder> {
-  if (!worker) return (await import('./codec/local-decoder.js')).LocalDecoder.create(wasm);
+  checkLimits(limits);
+  if (!worker) return (await import('./codec/local-decoder.js')).LocalDecoder.create(wasm, limits);
   if (!isPage)
     throw new IsostarError('BadArgument', 'a worker is possible only on pages; pass worker: false');
-  return (await import('./remote/remote-decoder.js')).RemoteDecoder.create(wasm);
+  return (await import('./remote/remote-decoder.js')).RemoteDecoder.create(wasm, limits);
 }

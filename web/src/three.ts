@@ -33,13 +33,13 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     super(manager);
   }
 
-  /** Where the WebAssembly is and whether to use a worker. Call it before preload() and load(). */
+  /** WebAssembly, worker and limits. Call it before preload() and load(). */
   setDecoderOptions(options: DecoderOptions): this {
     this.#decoderOptions = options;
     return this;
   }
 
-  /** Polygonizer, frame, normals, isovalue, refinements. */
+  /** Polygonizer, frame, normals, isovalue, refinements, limits. */
   setSurfaceOptions(options: SurfaceOptions): this {
     this.#surfaceOptions = options;
     return this;
@@ -115,9 +115,10 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     onProgress?: (event: IsostarProgress) => void,
   ): Promise<BufferGeometry> {
     const geometry = new BufferGeometry();
-    const refinements = onProgress ? 'newest' : 'last';
-    for await (const surface of decoder.decode(source, { refinements, ...this.#surfaceOptions })) {
-      showSurface(geometry, surface, this.#surfaceOptions);
+    const options = this.#surfaceOptions;
+    const refinements = options.refinements ?? (onProgress ? 'newest' : 'last');
+    for await (const surface of decoder.decode(source, { ...options, refinements })) {
+      showSurface(geometry, surface, options);
       if (!onProgress) continue;
       const progress = new ProgressEvent('progress', {
         lengthComputable: true,
@@ -130,7 +131,13 @@ export class IsostarLoader extends Loader<BufferGeometry> {
   }
 
   #ready(): Promise<Decoder> {
-    return (this.#decoder ??= createDecoder(this.#decoderOptions));
+    if (this.#decoder) return this.#decoder;
+    const decoder = createDecoder(this.#decoderOptions);
+    const forget = () => {
+      if (this.#decoder === decoder) this.#decoder = undefined; // the next load() tries again
+    };
+    decoder.catch(forget);
+    return (this.#decoder = decoder);
   }
 }
 

@@ -1,11 +1,11 @@
 import { IsostarError } from './api/errors.js';
 import type { Surface } from './api/surface.js';
-import { LocalDecoder } from './codec/local-decoder.js';
+import { InboxDecoder } from './codec/inbox-decoder.js';
 import { Inbox } from './input/inbox.js';
-import type { Reply, Request } from './remote/protocol.js';
+import type { Reply, Report, Request } from './remote/protocol.js';
 
 interface Port {
-  postMessage(reply: Reply, transfer: Transferable[]): void;
+  postMessage(message: Reply | Report, transfer?: Transferable[]): void;
   onmessage: ((event: MessageEvent<Request>) => void) | null;
 }
 
@@ -17,7 +17,7 @@ interface Decode {
 /** The decoder behind a port. It decodes when `next` is requested; until then it collects bytes. */
 class Service {
   readonly #port: Port;
-  #decoder: LocalDecoder | undefined;
+  #decoder: InboxDecoder | undefined;
   readonly #decodes = new Map<number, Decode>();
 
   constructor(port: Port) {
@@ -28,9 +28,13 @@ class Service {
   async #handle(request: Request): Promise<void> {
     if (request.type === 'open') return this.#reply(0, () => this.#open(request.wasm));
     if (request.type === 'decode') {
-      const inbox = new Inbox();
-      const surfaces = this.#decoder!.decodeInbox(inbox, request.options);
-      this.#decodes.set(request.id, { inbox, surfaces });
+      const { id } = request;
+      const inbox = new Inbox({
+        taken: (weight) => this.#port.postMessage({ type: 'taken', id, weight }),
+        enough: () => this.#port.postMessage({ type: 'enough', id }),
+      });
+      const surfaces = this.#decoder!.decode(inbox, request.options);
+      this.#decodes.set(id, { inbox, surfaces });
       return;
     }
     const decode = this.#decodes.get(request.id);
@@ -51,7 +55,7 @@ class Service {
   }
 
   async #open(wasm: Extract<Request, { type: 'open' }>['wasm']): Promise<Reply> {
-    this.#decoder = await LocalDecoder.create(wasm);
+    this.#decoder = await InboxDecoder.create(wasm);
     return { type: 'opened', id: 0 };
   }
 
@@ -67,7 +71,7 @@ class Service {
     } catch (reason) {
       const code = reason instanceof IsostarError ? reason.code : undefined;
       const message = String((reason as Error)?.message ?? reason);
-      this.#port.postMessage({ type: 'failed', id, code, message }, []);
+      this.#port.postMessage({ type: 'failed', id, code, message });
     }
   }
 }

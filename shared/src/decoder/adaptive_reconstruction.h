@@ -82,8 +82,7 @@ class AdaptiveReconstruction : public Reconstruction {
     held += adaptive->memory();
     const double offset = 2 * header_.positiveOffset - 1;
     const Limits left{limits_.samples, limits_.vertices,
-                      limits_.memory - std::min(held, limits_.memory),
-            limits_.decisions};
+                      limits_.memory - std::min(held, limits_.memory), limits_.decisions};
     return polygonize(
         Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement}, options,
         left, out);

@@ -30,7 +30,8 @@ class UniformReconstruction : public Reconstruction {
     const auto memory = state_.memoryFor(head.kind, input.pass.kind);
     if (memory.needed > limits_.memory) return {Error::OverLimit};
     RangeDecoder coder(input.coded);
-    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.fixed).memory, limits_.decisions - work_);
+    DecoderExchange<D> exchange(coder, torn ? 0 : input.kSlack, left(memory.fixed).memory,
+                                limits_.decisions - work_);
     state_.code(exchange, head, input.pass);
     work_ += std::min(exchange.work(), limits_.decisions - work_);
     const Error error = exchange.overBudget()           ? Error::OverLimit

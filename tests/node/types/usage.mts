@@ -4,6 +4,7 @@ import {
   IsostarError,
   type Decoder,
   type IsostarErrorCode,
+  type Limits,
   type Surface,
 } from 'isostar';
 import { IsostarLoader } from 'isostar/three';
@@ -13,6 +14,7 @@ import type { BufferGeometry } from 'three';
 const decoder: Decoder = await createDecoder({
   worker: false,
   wasm: new URL('https://example.org/decoder.wasm'),
+  limits: { memory: 1e9, samples: Infinity, decisions: 1e9 },
 });
 const response = await fetch('skull.isostar');
 try {
@@ -20,6 +22,7 @@ try {
     signal: AbortSignal.timeout(1000),
     polygonizer: 'tetrahedra',
     isovalue: 1,
+    limits: { vertices: 1e6, memory: undefined } satisfies Limits,
   })) {
     const { positions, indices, info, error, final }: Surface = surface;
     console.log(
@@ -33,9 +36,24 @@ try {
 }
 // @ts-expect-error: not a polygonizer
 decoder.decode(new Uint8Array(), { polygonizer: 'pyramids' });
+// @ts-expect-error: not a number
+decoder.decode(new Uint8Array(), { limits: { memory: '1 GB' } });
+// Options that are undefined have their defaults, also under exactOptionalPropertyTypes.
+decoder.decode(new Uint8Array(), {
+  polygonizer: undefined,
+  frame: undefined,
+  normals: undefined,
+  isovalue: undefined,
+  refinements: undefined,
+  limits: undefined,
+  signal: undefined,
+});
+await createDecoder({ wasm: undefined, worker: undefined, limits: undefined });
 decoder.dispose();
 
-const loader = new IsostarLoader().setPath('samples/').setSurfaceOptions({ frame: 'grid' });
+const loader = new IsostarLoader()
+  .setPath('samples/')
+  .setSurfaceOptions({ frame: 'grid', limits: { memory: 1e8 } });
 const geometry: BufferGeometry = await loader.loadAsync('skull.isostar', ({ surface, loaded }) =>
   console.log(surface.level, loaded),
 );

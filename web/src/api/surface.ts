@@ -82,28 +82,56 @@ export interface Surface {
   readonly milliseconds: { readonly decode: number; readonly polygonize: number };
 }
 
-/** Where the bytes of a stream come from. */
+/**
+ * Where the bytes of a stream come from. They are copied when they are handed over: a `Uint8Array`
+ * by decode(), the pieces of other sources as they arrive. The caller's buffers are never detached
+ * and may be reused then. A source is read to the end of the stream at most, then cancelled.
+ */
 export type Source =
   | ReadableStream<Uint8Array<ArrayBufferLike>>
   | AsyncIterable<Uint8Array<ArrayBufferLike>>
   | Uint8Array<ArrayBufferLike>
   | Response;
 
+/**
+ * What decoding one stream may cost. A stream that would cost more ends in an `IsostarError` with
+ * code `OverLimit`. Numbers from 0 on; `Infinity` removes a limit.
+ */
+export interface Limits {
+  /**
+   * Bytes that the decoder uses, including the mesh while it is made. Not included are the bytes of
+   * the stream, which may take as much again. Default: 512 MB.
+   */
+  memory?: number | undefined;
+  /** Samples of the source's grid. Default: 2³¹. */
+  samples?: number | undefined;
+  /** Vertices of a surface. Default: 2²⁶. */
+  vertices?: number | undefined;
+  /**
+   * Yes/no decisions that are decoded, which bounds the time; each visit of a brick of 8×8×8
+   * vertices counts as 64 more. Default: 2²⁸.
+   */
+  decisions?: number | undefined;
+}
+
+/** An option that is undefined has its default. */
 export interface SurfaceOptions {
   /** Default: `cubes`. */
-  polygonizer?: Polygonizer;
+  polygonizer?: Polygonizer | undefined;
   /** Default: `world`. */
-  frame?: Frame;
+  frame?: Frame | undefined;
   /** Default: true. */
-  normals?: boolean;
+  normals?: boolean | undefined;
   /** One of the stream's isovalues, or a value between two of them; by default its first. */
-  isovalue?: number;
+  isovalue?: number | undefined;
   /**
    * `newest` (default): the first surface as early as possible, then always the best one for the
    * bytes at hand, without those that are out of date already; `all`: one surface per layer;
    * `last`: only the best one of the whole source.
    */
-  refinements?: 'newest' | 'all' | 'last';
+  refinements?: 'newest' | 'all' | 'last' | undefined;
+  /** Each limit that is not given here is that of `createDecoder`. */
+  limits?: Limits | undefined;
 }
 
 export interface DecodeOptions extends Omit<SurfaceOptions, 'isovalue'> {
@@ -112,15 +140,18 @@ export interface DecodeOptions extends Omit<SurfaceOptions, 'isovalue'> {
    * iterable, of a slider's values for example, changes the isovalue each time, also after the last
    * byte; the iteration over surfaces then ends when the iterable does.
    */
-  isovalue?: number | AsyncIterable<number>;
+  isovalue?: number | AsyncIterable<number> | undefined;
   /** Aborting stops the download and the decoding; the iteration throws the signal's reason. */
-  signal?: AbortSignal;
+  signal?: AbortSignal | undefined;
 }
 
 export interface Decoder {
   /**
    * The surfaces of a stream, each better than the last, as its bytes arrive. A damaged or
-   * incomplete stream yields the surfaces that are sound and then throws an `IsostarError`.
+   * incomplete stream yields the surfaces that are sound and then throws an `IsostarError`. After
+   * any error the decoder can be used again. An iteration that is not finished should be ended by
+   * `return()`, which leaving a `for await` loop does; one that is dropped keeps its memory until
+   * it is garbage-collected.
    */
   decode(source: Source, options?: DecodeOptions): AsyncIterableIterator<Surface>;
   /** Frees memory and worker; iterations in progress throw an AbortError. */

@@ -8,25 +8,58 @@ import type { RawModule } from './raw.js';
  */
 export type WasmSource = URL | string | BufferSource;
 
-/** Returns a new instance on every call. */
+/**
+ * Compiles the WebAssembly. The result makes a new instance on every call, without reading the
+ * address or the bytes again.
+ */
 export async function loadModule(
   wasm: WasmSource = new URL('./decoder.wasm', import.meta.url), // relative to the bundle in dist/
-): Promise<RawModule> {
+): Promise<() => Promise<RawModule>> {
   const isAddress = wasm instanceof URL || typeof wasm === 'string';
+  const name = isAddress ? String(wasm) : 'the bytes given as `wasm`';
   const bytes = isAddress ? await readAddress(wasm) : wasm;
-  checkMagic(bytes, isAddress ? String(wasm) : 'the bytes given as `wasm`');
-  return createModule({ wasmBinary: bytes });
+  if (!hasMagic(bytes)) throw notUsable(name, 'not a WebAssembly module');
+  const compiled = await WebAssembly.compile(bytes).catch((reason) => {
+    throw notUsable(name, `cannot be compiled (${messageOf(reason)})`);
+  });
+  return async () => {
+    try {
+      return await instantiate(compiled);
+    } catch (reason) {
+      if (reason instanceof RangeError)
+        throw new IsostarError('OverLimit', `no memory for the decoder (${messageOf(reason)})`);
+      throw notUsable(name, `not the WebAssembly of this isostar (${messageOf(reason)})`);
+    }
+  };
+}
+
+const notUsable = (name: string, what: string) =>
+  new IsostarError('BadArgument', `${name}: ${what}`);
+
+const messageOf = (reason: unknown) => String((reason as Error)?.message ?? reason);
+
+function instantiate(compiled: WebAssembly.Module): Promise<RawModule> {
+  return new Promise((resolve, reject) => {
+    createModule({
+      // Emscripten's own way would abort, and write to the console, instead of throwing.
+      instantiateWasm(imports, receive) {
+        WebAssembly.instantiate(compiled, imports).then(receive).catch(reject);
+        return {};
+      },
+      printErr() {}, // an abort is reported as an IsostarError
+    }).then((raw) => (raw.Decoder ? resolve(raw) : reject(new Error('no Decoder'))), reject);
+  });
 }
 
 async function readAddress(address: URL | string): Promise<BufferSource> {
-  if (String(address).startsWith('file:')) return readFile(new URL(address));
-  const response = await fetch(address);
-  if (!response.ok)
-    throw new IsostarError(
-      'BadArgument',
-      `${address}: HTTP status ${response.status} ${response.statusText}`.trim(),
-    );
-  return response.arrayBuffer();
+  const read = String(address).startsWith('file:') ? readFile(new URL(address)) : fetch(address);
+  const content = await read.catch((reason) => {
+    throw notUsable(String(address), messageOf(reason));
+  });
+  if (content instanceof Uint8Array) return content;
+  const { ok, status, statusText } = content;
+  if (!ok) throw notUsable(String(address), `HTTP status ${status} ${statusText}`.trim());
+  return content.arrayBuffer();
 }
 
 /**
@@ -44,10 +77,9 @@ async function readFile(
 }
 
 /** Some servers answer a wrong path with status 200 and a page. */
-function checkMagic(bytes: BufferSource, name: string): void {
+function hasMagic(bytes: BufferSource): boolean {
   const head = ArrayBuffer.isView(bytes)
     ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
     : new Uint8Array(bytes);
-  if (head[0] !== 0 || head[1] !== 0x61 || head[2] !== 0x73 || head[3] !== 0x6d)
-    throw new IsostarError('BadArgument', `${name}: not a WebAssembly module`);
+  return head[0] === 0 && head[1] === 0x61 && head[2] === 0x73 && head[3] === 0x6d;
 }

@@ -3,7 +3,10 @@
  * into its memory are valid until the next call.
  */
 export interface RawModule {
-  Decoder: new () => RawDecoder;
+  /** The whole memory. */
+  HEAPU8: Uint8Array;
+  /** The limits; NaN stands for the default of the C++ `isostar::Limits`. */
+  Decoder: new (memory: number, samples: number, vertices: number, decisions: number) => RawDecoder;
   Polygonizer: { cubes: object; tetrahedra: object };
   Frame: { world: object; grid: object };
 }
@@ -14,12 +17,10 @@ export interface RawDecoder {
   accept(bytes: number): void;
   finish(): void;
   advance(): boolean;
-  ready(): boolean;
   isFinal(): boolean;
   level(): number;
   levels(): number;
   bytes(): number;
-  rmsError(): number;
   info(): import('../api/surface.js').StreamInfo;
   error(): string;
   describeError(): string;

@@ -1,15 +1,22 @@
 import { IsostarError, type IsostarErrorCode } from '../api/errors.js';
-import type { Layer, StreamInfo, Surface, SurfaceOptions } from '../api/surface.js';
+import type {
+  Frame,
+  Layer,
+  Polygonizer,
+  StreamInfo,
+  Surface,
+  SurfaceOptions,
+} from '../api/surface.js';
 import type { Inbox, Input } from '../input/inbox.js';
 import { pause } from './pause.js';
 import type { RawDecoder, RawModule } from './raw.js';
 
-const DEFAULTS = {
-  polygonizer: 'cubes',
-  frame: 'world',
-  normals: true,
-  refinements: 'newest',
-} as const;
+const POLYGONIZERS = ['cubes', 'tetrahedra'];
+const FRAMES = ['world', 'grid'];
+const REFINEMENTS = ['newest', 'all', 'last'];
+
+/** How many bytes are copied into the module at once. */
+const CHUNK = 1 << 20;
 
 /** What a stream of another dimension than 3 holds. */
 const CONTENTS: Record<number, string> = {
@@ -21,42 +28,67 @@ const CONTENTS: Record<number, string> = {
 export class Session {
   readonly #module: RawModule;
   readonly #raw: RawDecoder;
-  readonly #options: SurfaceOptions & Required<Omit<SurfaceOptions, 'isovalue'>>;
+  readonly #onLost: () => void;
+  readonly #polygonizer: Polygonizer;
+  readonly #frame: Frame;
+  readonly #normals: boolean;
+  readonly #refinements: 'newest' | 'all' | 'last';
   #isovalue: number | undefined;
+  #isLost = false;
+  #accepted = 0; // bytes
+  #total = 0; // bytes of the whole stream; 0 before its header has arrived
   #decodeTime = 0;
 
-  constructor(module: RawModule, options: SurfaceOptions) {
-    this.#options = { ...DEFAULTS, ...options };
-    this.#isovalue = options.isovalue;
-    check('polygonizer', this.#options.polygonizer, module.Polygonizer);
-    check('frame', this.#options.frame, module.Frame);
+  /** `onLost` is called if the module fails and cannot be called again. */
+  constructor(
+    module: RawModule,
+    {
+      polygonizer = 'cubes',
+      frame = 'world',
+      normals = true,
+      refinements = 'newest',
+      isovalue,
+      limits = {},
+    }: SurfaceOptions,
+    onLost: () => void,
+  ) {
+    check('polygonizer', polygonizer, POLYGONIZERS);
+    check('frame', frame, FRAMES);
+    check('refinements', refinements, REFINEMENTS);
     this.#module = module;
-    this.#raw = new module.Decoder();
+    this.#onLost = onLost;
+    this.#polygonizer = polygonizer;
+    this.#frame = frame;
+    this.#normals = normals;
+    this.#refinements = refinements;
+    this.#isovalue = isovalue;
+    const { memory = NaN, samples = NaN, vertices = NaN, decisions = NaN } = limits;
+    this.#raw = this.#run(() => new module.Decoder(memory, samples, vertices, decisions));
   }
 
   async *surfaces(inbox: Inbox): AsyncGenerator<Surface, void, undefined> {
-    const { refinements } = this.#options;
+    const refinements = this.#refinements;
     let isFirst = true;
     let isStale = false; // is a better surface possible than the last one?
     for (let input = await inbox.take(); input; input = await inbox.take()) {
       const isOtherIsovalue = this.#setIsovalue(input.isovalue);
-      this.#accept(input);
-      while (this.#advance()) {
+      this.#run(() => this.#accept(input));
+      while (this.#advance(inbox)) {
         isStale = true;
         if (refinements === 'all' || (refinements === 'newest' && isFirst)) {
-          yield this.#surface();
+          yield this.#run(() => this.#surface());
           isFirst = isStale = false;
         }
         await pause(); // an abort may be pending
         inbox.throwIfFailed();
       }
-      const failure = this.#failure();
-      const isLast = input.isEnd || failure !== undefined;
+      const failure = this.#run(() => this.#failure());
+      const isLast = input.isEnd || failure !== undefined || this.#raw.isFinal();
       const isDue = isLast
         ? isStale || (isFirst && this.#raw.isFinal())
         : isStale && refinements !== 'last';
       if (isOtherIsovalue || isDue) {
-        yield this.#surface();
+        yield this.#run(() => this.#surface());
         isFirst = isStale = false;
       }
       if (failure) throw failure;
@@ -64,13 +96,33 @@ export class Session {
   }
 
   delete(): void {
-    this.#raw.delete();
+    try {
+      if (!this.#isLost) this.#run(() => this.#raw.delete());
+    } catch {} // the module is lost, and its memory with it
+  }
+
+  /** Calls the module, which ends by a trap when it has no more memory. */
+  #run<Result>(work: () => Result): Result {
+    try {
+      return work();
+    } catch (reason) {
+      // RangeError: the thread's stack is full, or there is no memory for a copy.
+      if (!(reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError))
+        throw reason;
+      this.#isLost = true;
+      this.#onLost();
+      throw new IsostarError('OverLimit', 'the surface needs more memory than is available');
+    }
   }
 
   #accept({ pieces, isEnd }: Input): void {
-    for (const piece of pieces) {
-      this.#raw.room(piece.length).set(piece);
-      this.#raw.accept(piece.length);
+    for (const piece of pieces.splice(0)) {
+      this.#accepted += piece.length;
+      for (let at = 0; at < piece.length; at += CHUNK) {
+        const chunk = piece.subarray(at, at + CHUNK);
+        this.#raw.room(chunk.length).set(chunk);
+        this.#raw.accept(chunk.length);
+      }
     }
     if (isEnd) this.#raw.finish();
   }
@@ -82,11 +134,17 @@ export class Session {
     return this.#raw.level() >= 0;
   }
 
-  #advance(): boolean {
-    const start = performance.now();
-    const isBetter = this.#raw.advance();
-    this.#decodeTime += performance.now() - start;
-    return isBetter;
+  /** Closes the inbox if no more bytes are needed. */
+  #advance(inbox: Inbox): boolean {
+    return this.#run(() => {
+      const start = performance.now();
+      const isBetter = this.#raw.advance();
+      this.#decodeTime += performance.now() - start;
+      this.#total ||= this.#raw.info().bytes;
+      const isComplete = this.#total > 0 && this.#accepted >= this.#total;
+      if (isComplete || this.#raw.error() !== 'None') inbox.close();
+      return isBetter;
+    });
   }
 
   #failure(): IsostarError | undefined {
@@ -102,19 +160,23 @@ export class Session {
 
   #surface(): Surface {
     const raw = this.#raw;
-    const { polygonizer, frame, normals } = this.#options;
     const info = raw.info();
     const isovalue = this.#isovalue ?? info.isovalues[0]!;
     checkIsovalue(info, isovalue);
     const start = performance.now();
     const code = raw.makeMesh(
-      this.#module.Polygonizer[polygonizer],
-      this.#module.Frame[frame],
-      normals,
+      this.#module.Polygonizer[this.#polygonizer],
+      this.#module.Frame[this.#frame],
+      this.#normals,
       isovalue,
     );
     if (code !== 'None')
-      throw new IsostarError(code as IsostarErrorCode, 'no surface can be made from the stream');
+      throw new IsostarError(
+        code as IsostarErrorCode,
+        code === 'OverLimit'
+          ? 'the surface is larger than the limits allow'
+          : 'no surface can be made from the stream',
+      );
     const polygonize = performance.now() - start;
     return {
       // Copies: a view becomes invalid when the module's memory grows.
@@ -133,9 +195,8 @@ export class Session {
   }
 }
 
-function check(name: string, value: string, values: object): void {
-  if (!Object.hasOwn(values, value))
-    throw new IsostarError('BadArgument', `unknown ${name} "${value}"`);
+function check(name: string, value: string, values: readonly string[]): void {
+  if (!values.includes(value)) throw new IsostarError('BadArgument', `unknown ${name} "${value}"`);
 }
 
 function checkIsovalue({ isovalues }: StreamInfo, wanted: number): void {

@@ -1,7 +1,3 @@
-import { IsostarError } from '../api/errors.js';
-import type { Source } from '../api/surface.js';
-import { piecesOf } from './source.js';
-
 /** What a decoder takes from its inbox in one go. */
 export interface Input {
   readonly pieces: Uint8Array[];
@@ -11,11 +7,24 @@ export interface Input {
   readonly isovalue: number | undefined;
 }
 
+/** What an inbox reports to the feed that fills it. */
+export interface InboxEvents {
+  /** Pieces of this weight were taken. */
+  taken(weight: number): void;
+  /** No more bytes are needed. */
+  enough(): void;
+}
+
+/** What a piece costs while it waits, in bytes. Many small pieces cost more than their bytes. */
+export const weightOf = (piece: Uint8Array): number => piece.byteLength + 256;
+
 /**
  * Bytes and isovalues that have arrived and have not been taken yet. A late take() returns all
  * bytes at once, and only the newest isovalue.
  */
 export class Inbox {
+  readonly #events: InboxEvents;
+  #isClosed = false;
   #pieces: Uint8Array[] = [];
   #isFinished = false;
   #isEndTaken = false;
@@ -24,7 +33,12 @@ export class Inbox {
   #failure: { readonly reason: unknown } | undefined;
   #wake = () => {};
 
+  constructor(events: InboxEvents) {
+    this.#events = events;
+  }
+
   accept(piece: Uint8Array): void {
+    if (this.#isClosed) return;
     this.#pieces.push(piece);
     this.#wake();
   }
@@ -33,6 +47,14 @@ export class Inbox {
   finish(): void {
     this.#isFinished = true;
     this.#wake();
+  }
+
+  /** Bytes that were not taken yet are dropped, and later ones ignored. */
+  close(): void {
+    if (this.#isClosed) return;
+    this.#isClosed = this.#isFinished = this.#isEndTaken = true;
+    this.#pieces = [];
+    this.#events.enough();
   }
 
   /** From now on isovalues may come, until endIsovalues(). */
@@ -68,6 +90,8 @@ export class Inbox {
     }
     this.throwIfFailed();
     const pieces = this.#pieces.splice(0);
+    if (pieces.length > 0)
+      this.#events.taken(pieces.reduce((sum, piece) => sum + weightOf(piece), 0));
     const isEnd = this.#isFinished && pieces.length === 0 && !this.#isEndTaken;
     this.#isEndTaken ||= isEnd;
     const isovalue = this.#isovalue;
@@ -81,26 +105,7 @@ export class Inbox {
   }
 }
 
-type ByteSink = Pick<Inbox, 'accept' | 'finish' | 'fail'>;
 type IsovalueSink = Pick<Inbox, 'beginIsovalues' | 'setIsovalue' | 'endIsovalues' | 'fail'>;
-
-/** Sends a source's pieces on as they arrive. The result cancels the source. */
-export function sendSource(source: Source, sink: ByteSink): () => void {
-  const pieces = piecesOf(source);
-  void (async () => {
-    try {
-      for (let next = await pieces.next(); !next.done; next = await pieces.next()) {
-        if (!(next.value instanceof Uint8Array))
-          throw new IsostarError('BadArgument', 'a piece of the source is not a Uint8Array');
-        sink.accept(next.value);
-      }
-      sink.finish();
-    } catch (reason) {
-      sink.fail(reason);
-    }
-  })();
-  return () => void pieces.return?.()?.catch(() => {});
-}
 
 /** Sends isovalues on as they arrive. The result cancels their source. */
 export function sendIsovalues(isovalues: AsyncIterable<number>, sink: IsovalueSink): () => void {
@@ -115,5 +120,5 @@ export function sendIsovalues(isovalues: AsyncIterable<number>, sink: IsovalueSi
       sink.fail(reason);
     }
   })();
-  return () => void numbers.return?.()?.catch(() => {});
+  return () => void (async () => numbers.return?.())().catch(() => {});
 }

@@ -4,7 +4,7 @@ import type { WasmSource } from '../codec/load-module.js';
 
 /** Page to worker. `id` is the page's number for one call of decode(). */
 export type Request =
-  | { type: 'open'; wasm: Exclude<WasmSource, URL> | undefined }
+  | { type: 'open'; id: 0; wasm: Exclude<WasmSource, URL> | undefined }
   | { type: 'decode'; id: number; options: SurfaceOptions }
   | { type: 'accept'; id: number; piece: Uint8Array }
   | { type: 'finish'; id: number }
@@ -20,3 +20,6 @@ export type Reply =
   | { type: 'surface'; id: number; surface: Surface }
   | { type: 'done'; id: number }
   | { type: 'failed'; id: number; code: IsostarErrorCode | undefined; message: string };
+
+/** Worker to page, at any time: what the inbox reports to its feed. */
+export type Report = { type: 'taken'; id: number; weight: number } | { type: 'enough'; id: number };

@@ -1,123 +1,112 @@
-import { IsostarError } from '../api/errors.js';
-import type { Decoder, DecodeOptions, Source, Surface } from '../api/surface.js';
+import type { Decoder, DecodeOptions, Limits, Source, Surface } from '../api/surface.js';
+import { Cleanup, cleanUpAfter } from '../codec/cleanup.js';
 import { disposed } from '../codec/disposed.js';
 import type { WasmSource } from '../codec/load-module.js';
-import { sendIsovalues, sendSource } from '../input/inbox.js';
-import type { Reply, Request } from './protocol.js';
-
-interface Waiting {
-  resolve(reply: Reply): void;
-  reject(reason: unknown): void;
-}
+import { sortOptions } from '../codec/options.js';
+import { Feed } from '../input/feed.js';
+import { sendIsovalues } from '../input/inbox.js';
+import { hold, type HeldSource, type OwnPiece } from '../input/source.js';
+import { type Call, WorkerLink } from './worker-link.js';
 
 /** Decodes in a worker of its own; the page only passes bytes on. */
 export class RemoteDecoder implements Decoder {
-  readonly #worker: Worker;
-  readonly #waiting = new Map<number, Waiting>();
-  #end: unknown; // why no more replies will come
+  readonly #wasm: Exclude<WasmSource, URL> | undefined;
+  readonly #limits: Limits | undefined;
+  #link: Promise<WorkerLink> | undefined;
+  #isDisposed = false;
   #lastId = 0;
 
-  private constructor(worker: Worker) {
-    this.#worker = worker;
-    worker.onmessage = ({ data }: MessageEvent<Reply>) => {
-      this.#waiting.get(data.id)?.resolve(data);
-      this.#waiting.delete(data.id);
-    };
-    worker.onerror = ({ message }) =>
-      this.#close(new Error(`the decoder's worker failed: ${message || 'it did not load'}`));
+  private constructor(wasm: WasmSource | undefined, limits: Limits | undefined) {
+    this.#wasm = postable(wasm);
+    this.#limits = limits;
   }
 
-  static async create(wasm?: WasmSource): Promise<RemoteDecoder> {
-    // Relative to the bundle in dist/.
-    const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
-    const decoder = new RemoteDecoder(worker);
-    decoder.#post({ type: 'open', wasm: absolute(wasm) });
-    try {
-      await decoder.#reply(0);
-    } catch (reason) {
-      decoder.dispose();
-      throw reason;
-    }
+  static async create(wasm?: WasmSource, limits?: Limits): Promise<RemoteDecoder> {
+    const decoder = new RemoteDecoder(wasm, limits);
+    await decoder.#connect();
     return decoder;
   }
 
-  async *decode(
-    source: Source,
-    { signal, isovalue, ...options }: DecodeOptions = {},
+  decode(source: Source, options: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
+    const cleanup = new Cleanup();
+    return cleanUpAfter(this.#decode(hold(source), options, cleanup), cleanup);
+  }
+
+  dispose(): void {
+    this.#isDisposed = true;
+    void this.#link?.then((link) => link.close(disposed())).catch(() => {});
+    this.#link = undefined;
+  }
+
+  async *#decode(
+    source: HeldSource,
+    options: DecodeOptions,
+    cleanup: Cleanup,
   ): AsyncGenerator<Surface, void, undefined> {
+    const { signal, isovalues, surface } = sortOptions(options, this.#limits);
+    const link = await this.#connect();
     signal?.throwIfAborted();
+    const pieces = source.open();
     const id = ++this.#lastId;
-    let failure: { reason: unknown } | undefined;
-    const fail = (reason: unknown) => {
-      failure ??= { reason };
-      this.#waiting.get(id)?.reject(reason);
-      this.#waiting.delete(id);
-    };
-    const abort = () => fail(signal?.reason);
-    const inbox = this.#inbox(id);
-    const cancelSource = sendSource(source, { ...inbox, fail });
-    signal?.addEventListener('abort', abort);
-    this.#post({
-      type: 'decode',
-      id,
-      options: typeof isovalue === 'number' ? { ...options, isovalue } : options,
-    });
-    const cancelIsovalues =
-      typeof isovalue === 'object' ? sendIsovalues(isovalue, { ...inbox, fail }) : undefined;
+    const call = link.begin(id);
     try {
+      link.post({ type: 'decode', id, options: surface });
+      cleanup.add(() => {
+        link.post({ type: 'stop', id });
+        link.end(id);
+      });
+      const inbox = inboxAt(link, id, call);
+      const feed = (call.feed = new Feed(pieces, inbox));
+      cleanup.add(() => feed.stop());
+      if (isovalues) cleanup.add(sendIsovalues(isovalues, inbox));
+      const abort = () => call.fail(signal?.reason);
+      signal?.addEventListener('abort', abort);
+      cleanup.add(() => signal?.removeEventListener('abort', abort));
       for (;;) {
-        if (failure) throw failure.reason;
-        this.#post({ type: 'next', id });
-        const reply = await this.#reply(id);
+        call.throwIfFailed();
+        link.post({ type: 'next', id });
+        const reply = await call.reply();
         if (reply.type !== 'surface') return;
         yield reply.surface;
       }
     } finally {
-      cancelSource();
-      cancelIsovalues?.();
-      this.#post({ type: 'stop', id });
-      signal?.removeEventListener('abort', abort);
+      cleanup.run();
     }
   }
 
-  dispose(): void {
-    this.#close(disposed());
-  }
-
-  /** The inbox at the other end, in the worker. */
-  #inbox(id: number) {
-    return {
-      accept: (piece: Uint8Array) => this.#post({ type: 'accept', id, piece }),
-      finish: () => this.#post({ type: 'finish', id }),
-      beginIsovalues: () => this.#post({ type: 'beginIsovalues', id }),
-      setIsovalue: (isovalue: number) => this.#post({ type: 'setIsovalue', id, isovalue }),
-      endIsovalues: () => this.#post({ type: 'endIsovalues', id }),
+  /** The worker, which is started anew if the last one was lost. */
+  #connect(): Promise<WorkerLink> {
+    if (this.#isDisposed) return Promise.reject(disposed());
+    if (this.#link) return this.#link;
+    const forget = () => {
+      if (this.#link === link) this.#link = undefined;
     };
-  }
-
-  #post(request: Request): void {
-    if (!this.#end) this.#worker.postMessage(request);
-  }
-
-  async #reply(id: number): Promise<Reply> {
-    if (this.#end) throw this.#end;
-    const reply = await new Promise<Reply>((resolve, reject) =>
-      this.#waiting.set(id, { resolve, reject }),
-    );
-    if (reply.type !== 'failed') return reply;
-    throw reply.code ? new IsostarError(reply.code, reply.message) : new Error(reply.message);
-  }
-
-  #close(reason: unknown): void {
-    this.#end ??= reason;
-    this.#worker.terminate();
-    for (const { reject } of this.#waiting.values()) reject(this.#end);
-    this.#waiting.clear();
+    const link = WorkerLink.open(this.#wasm, forget);
+    link.catch(forget);
+    return (this.#link = link);
   }
 }
 
-/** A URL object cannot be posted, and a relative address means something else in the worker. */
-function absolute(wasm: WasmSource | undefined): Exclude<WasmSource, URL> | undefined {
+/** The inbox at the other end, in the worker. */
+function inboxAt(link: WorkerLink, id: number, call: Call) {
+  return {
+    accept: (piece: OwnPiece) => link.post({ type: 'accept', id, piece }, [piece.buffer]),
+    finish: () => link.post({ type: 'finish', id }),
+    beginIsovalues: () => link.post({ type: 'beginIsovalues', id }),
+    setIsovalue: (isovalue: number) => link.post({ type: 'setIsovalue', id, isovalue }),
+    endIsovalues: () => link.post({ type: 'endIsovalues', id }),
+    fail: (reason: unknown) => call.fail(reason),
+  };
+}
+
+/**
+ * A URL object cannot be posted, a relative address means something else in the worker, and of a
+ * view the whole buffer would be posted.
+ */
+function postable(wasm: WasmSource | undefined): Exclude<WasmSource, URL> | undefined {
   if (wasm instanceof URL) return wasm.href;
-  return typeof wasm === 'string' ? new URL(wasm, document.baseURI).href : wasm;
+  if (typeof wasm === 'string') return new URL(wasm, document.baseURI).href;
+  if (wasm instanceof ArrayBuffer) return wasm.slice(0);
+  if (!ArrayBuffer.isView(wasm)) return wasm;
+  return new Uint8Array(wasm.buffer, wasm.byteOffset, wasm.byteLength).slice();
 }

@@ -17,18 +17,20 @@ namespace {
 /// such a number?
 class WholeSamples {
  public:
-  /// `perStep`: the number of steps in 1.
-  WholeSamples(double perStep, double isovalue) : perStep_(perStep), isovalue_(isovalue) {}
+  /// `perStep`: the number of steps in 1. `most`: larger samples are not such numbers, since floats
+  /// are too coarse there.
+  WholeSamples(double perStep, double isovalue, double most)
+      : perStep_(perStep), isovalue_(isovalue), most_(most) {}
   void add(double sample) {
     if (!all_) return;
     const double n = std::round(sample * perStep_);
-    all_ = static_cast<float>(n / perStep_) == sample &&
+    all_ = std::abs(sample) <= most_ && static_cast<float>(n / perStep_) == sample &&
            (n > isovalue_ * perStep_) == (sample > isovalue_);
   }
   [[nodiscard]] bool all() const { return all_; }
 
  private:
-  double perStep_, isovalue_;
+  double perStep_, isovalue_, most_;
   bool all_ = true;
 };
 
@@ -112,7 +114,7 @@ template <int D>
 Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs,
                                   const std::vector<uint8_t>& active) const {
   double largest = 0;
-  WholeSamples ones(1, isovalue_), bytes(255, isovalue_);
+  WholeSamples ones(1, isovalue_, 1 << 29), bytes(255, isovalue_, 1);
   Tube<D> tube;
   for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
     if (active[brickIndex] == 0) continue;

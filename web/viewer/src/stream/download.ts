@@ -65,8 +65,9 @@ export class Download {
   async *pieces(): AsyncGenerator<Uint8Array> {
     for (let sent = 0; ;) {
       if (sent < this.#length) {
-        yield this.#bytes.slice(sent, this.#length);
-        sent = this.#length;
+        const end = this.#length; // more may arrive during the yield
+        yield this.#bytes.slice(sent, end);
+        sent = end;
       } else if (this.#failure) throw this.#failure.reason;
       else if (this.#isOver) return;
       else await new Promise<void>((resolve) => this.#wakes.push(resolve));

@@ -1,0 +1,126 @@
+import { IsostarError } from '../api/errors.js';
+import type { WasmSource } from '../codec/load-module.js';
+import type { Feed } from '../input/feed.js';
+import type { Reply, Report, Request } from './protocol.js';
+
+/** One call of decode(), or the worker's start. */
+export class Call {
+  /** The source of the call, if it has one. */
+  feed: Feed | undefined;
+  #failure: { readonly reason: unknown } | undefined;
+  #waiting: { resolve(reply: Reply): void; reject(reason: unknown): void } | undefined;
+
+  /** Resolves to the next reply of the worker. */
+  async reply(): Promise<Reply> {
+    if (this.#failure) throw this.#failure.reason;
+    const reply = await new Promise<Reply>((resolve, reject) => {
+      this.#waiting = { resolve, reject };
+    });
+    if (reply.type !== 'failed') return reply;
+    throw reply.code ? new IsostarError(reply.code, reply.message) : new Error(reply.message);
+  }
+
+  accept(message: Reply | Report): void {
+    if (message.type === 'taken') this.feed?.taken(message.weight);
+    else if (message.type === 'enough') this.feed?.stop();
+    else {
+      this.#waiting?.resolve(message);
+      this.#waiting = undefined;
+    }
+  }
+
+  /** A pending reply() and all later ones throw `reason`; the first reason counts. */
+  fail(reason: unknown): void {
+    this.#failure ??= { reason };
+    this.#waiting?.reject(reason);
+    this.#waiting = undefined;
+  }
+
+  throwIfFailed(): void {
+    if (this.#failure) throw this.#failure.reason;
+  }
+}
+
+/** A worker and the calls that it serves. */
+export class WorkerLink {
+  readonly #worker: Worker;
+  readonly #calls = new Map<number, Call>();
+  readonly #onLost: () => void;
+  #isOpen = false;
+  #end: { readonly reason: unknown } | undefined; // why no more replies will come
+
+  private constructor(worker: Worker, onLost: () => void) {
+    this.#worker = worker;
+    this.#onLost = onLost;
+    worker.onmessage = ({ data }: MessageEvent<Reply | Report>) =>
+      this.#calls.get(data.id)?.accept(data);
+    worker.onerror = (event) => {
+      event.preventDefault(); // it is reported as an IsostarError
+      this.#lose(event.message);
+    };
+    worker.onmessageerror = () => this.#lose('a message could not be read');
+  }
+
+  /** Starts a worker. `onLost` is called if it ends by itself. */
+  static async open(
+    wasm: Exclude<WasmSource, URL> | undefined,
+    onLost: () => void,
+  ): Promise<WorkerLink> {
+    const link = new WorkerLink(startWorker(), onLost);
+    try {
+      const call = link.begin(0);
+      link.post({ type: 'open', id: 0, wasm });
+      await call.reply();
+    } catch (reason) {
+      link.close(reason);
+      throw reason;
+    }
+    link.end(0);
+    link.#isOpen = true;
+    return link;
+  }
+
+  begin(id: number): Call {
+    const call = new Call();
+    if (this.#end) call.fail(this.#end.reason);
+    else this.#calls.set(id, call);
+    return call;
+  }
+
+  end(id: number): void {
+    this.#calls.delete(id);
+  }
+
+  post(request: Request, transfer: Transferable[] = []): void {
+    if (!this.#end) this.#worker.postMessage(request, transfer);
+  }
+
+  /** Ends the worker. All calls throw `reason`. */
+  close(reason: unknown): void {
+    if (this.#end) return;
+    this.#end = { reason };
+    this.#worker.terminate();
+    for (const call of this.#calls.values()) call.fail(reason);
+    this.#calls.clear();
+  }
+
+  #lose(message: string | undefined): void {
+    const words = message ? ` (${message})` : '';
+    this.close(
+      this.#isOpen
+        ? new IsostarError('OverLimit', `the decoder's worker was lost${words}`)
+        : new IsostarError('BadArgument', `the decoder's worker cannot be loaded${words}`),
+    );
+    this.#onLost();
+  }
+}
+
+function startWorker(): Worker {
+  try {
+    // Relative to the bundle in dist/.
+    return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  } catch (reason) {
+    const { message } = reason as Error;
+    throw new IsostarError('BadArgument', `the decoder's worker cannot be started (${message})`);
+  }
+}
