@@ -72,7 +72,6 @@ test('of a piece, its own bytes are posted; the caller keeps the buffer', async 
     const buffer = new Uint8Array(1 << 26);
     const decoder = await createDecoder();
     posted.length = 0;
-    const start = performance.now();
     const surface = await last(
       decoder.decode(
         (async function* () {
@@ -85,13 +84,11 @@ test('of a piece, its own bytes are posted; the caller keeps the buffer', async 
         })(),
       ),
     );
-    const seconds = (performance.now() - start) / 1000;
     decoder.dispose();
-    return { isFinal: surface.final, seconds, left: buffer.length, posted };
+    return { isFinal: surface.final, left: buffer.length, posted };
   });
   assert.ok(result.isFinal);
   assert.equal(result.left, 1 << 26);
-  assert.ok(result.seconds < 20, `${result.seconds} s`);
   const pieces = posted.filter(({ type }) => type === 'accept');
   assert.ok(pieces.length > 100);
   assert.ok(pieces.every(({ length, buffer }) => length <= 50 && buffer === length));
