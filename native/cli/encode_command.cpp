@@ -155,7 +155,8 @@ void run(EncodeArguments& arguments) {
   StreamInfo info;
   if (const Error error = inspect(stream, info); error != Error::None)
     throw Failure(arguments.output, describe(error));
-  if (!info.lossless)  // the header states what was measured where that is more than was asked
+  // The header states what was measured where that is more than was asked.
+  if (!info.lossless && !isBoundToTetrahedra(arguments))
     arguments.options.maxError = std::max(arguments.options.maxError, info.maxError);
   warnOfResult(arguments, volume, info);
   if (arguments.json) printReport(arguments, volume, info, report);
