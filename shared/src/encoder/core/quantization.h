@@ -26,24 +26,15 @@ inline constexpr double kQuantizationShare = 16;
 template <int D>
 [[nodiscard]] double quantizationError(const Header& header, const Source<D>& source) {
   if (header.whole) return 0;
-  std::array<double, 1u << D> lengths{};
-  for (unsigned axes = 1; axes < lengths.size(); ++axes)
-    lengths[axes] = edgeLength(header.placement, axes);
   const int32_t shift = header.shift(source.isovalue());
   double most = 0;
-  forCrossedRows(
-      source.signs(), source.active(), header.polygonizer == Polygonizer::Tetrahedra,
-      [](std::size_t) {},
-      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-        for (; crossed != 0; crossed &= crossed - 1) {
-          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-          const double even = source.field().scalar(ends.even),
-                       odd = source.field().scalar(ends.odd);
-          const CodedCrossing crossing{codedSize(header, even, shift),
-                                       codedSize(header, odd, shift), std::abs(even), std::abs(odd),
-                                       lengths[axes]};
-          most = std::max(most, crossing.distance());
-        }
+  forEachCrossingEdge(
+      header, source.signs(), source.active(), [](std::size_t) {},
+      [&](const EdgeEnds<D>& ends, double length) {
+        const double even = source.field().scalar(ends.even), odd = source.field().scalar(ends.odd);
+        const CodedCrossing crossing{codedSize(header, even, shift), codedSize(header, odd, shift),
+                                     std::abs(even), std::abs(odd), length};
+        most = std::max(most, crossing.distance());
       });
   return most;
 }

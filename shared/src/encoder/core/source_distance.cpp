@@ -147,23 +147,17 @@ template <int D>
 template <class Visit>
 void SourceDistance<D>::forEachCrossing(const Signs<D>& signs, const Scalars<D>& scalars,
                                         const std::vector<uint8_t>& active, Visit visit) const {
-  std::array<double, 1u << D> lengths{};
-  for (unsigned axes = 1; axes < lengths.size(); ++axes)
-    lengths[axes] = edgeLength(header_.placement, axes);
   ScalarWindow<D> window;
-  forCrossedRows(
-      signs, active, header_.polygonizer == Polygonizer::Tetrahedra,
+  forEachCrossingEdge(
+      header_, signs, active,
       [&](std::size_t brickIndex) {
         window.load(scalars, signs.table(), signs.table().brick(brickIndex));
       },
-      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
-        for (; crossed != 0; crossed &= crossed - 1) {
-          const EdgeEnds<D> ends(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes);
-          visit(ends, CodedCrossing{size(window.value[static_cast<std::size_t>(ends.evenAt)]),
-                                    size(window.value[static_cast<std::size_t>(ends.oddAt)]),
-                                    std::abs(field_.scalar(ends.even)),
-                                    std::abs(field_.scalar(ends.odd)), lengths[axes]});
-        }
+      [&](const EdgeEnds<D>& ends, double length) {
+        visit(ends, CodedCrossing{size(window.value[static_cast<std::size_t>(ends.evenAt)]),
+                                  size(window.value[static_cast<std::size_t>(ends.oddAt)]),
+                                  std::abs(field_.scalar(ends.even)),
+                                  std::abs(field_.scalar(ends.odd)), length});
       });
 }
 

@@ -68,8 +68,29 @@ class SourceDistance {
   std::vector<uint8_t> bricks_;  // by brick index: whether it has an end of a sample's edge
 };
 
+/// Calls enter(brickIndex) for each active brick, then visit(ends, length) for each of its crossing
+/// edges on which a stream's polygonizer has vertices; `length` in grid steps.
+template <int D, class Enter, class Visit>
+void forEachCrossingEdge(const Header& header, const Signs<D>& signs,
+                         const std::vector<uint8_t>& active, Enter enter, Visit visit);
+
 /// The length of an edge along a set of axes, in grid steps along the smallest spacing. On the
 /// fourth axis, time, a frame counts as one step.
 [[nodiscard]] double edgeLength(const Placement& placement, unsigned axes);
+
+template <int D, class Enter, class Visit>
+void forEachCrossingEdge(const Header& header, const Signs<D>& signs,
+                         const std::vector<uint8_t>& active, Enter enter, Visit visit) {
+  std::array<double, 1u << D> lengths{};
+  for (unsigned axes = 1; axes < lengths.size(); ++axes)
+    lengths[axes] = edgeLength(header.placement, axes);
+  forCrossedRows(
+      signs, active, header.polygonizer == Polygonizer::Tetrahedra, enter,
+      [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
+        for (; crossed != 0; crossed &= crossed - 1)
+          visit(EdgeEnds<D>(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes),
+                lengths[axes]);
+      });
+}
 
 }  // namespace isostar
