@@ -4,6 +4,7 @@
 #include "cli/stream_file.h"
 #include "files/failure.h"
 #include "files/text.h"
+#include "measure/ribbon.h"
 #include "measure/surface_distance.h"
 #include "volume/placement.h"
 
@@ -29,18 +30,34 @@ std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions o
   return stream;
 }
 
-/// The surface of a stream in the world.
-Mesh decodedMesh(const std::vector<std::byte>& stream, const std::string& path) {
+/// The surface of a stream in the world; of an image, its contours as a ribbon of width 1.
+Mesh decodedSurface(const std::vector<std::byte>& stream, int dimension, const std::string& path) {
   Decoder decoder(nativeLimits());
   decoder.accept(stream);
   decoder.finish();
   while (decoder.advance()) {
   }
   Mesh mesh;
+  Contours contours;
   Error error = decoder.error();
-  if (error == Error::None) error = decoder.mesh({.normals = false}, mesh);
+  if (error == Error::None)
+    error =
+        dimension == 2 ? decoder.contours({}, contours) : decoder.mesh({.normals = false}, mesh);
   if (error != Error::None) throw Failure(path, describe(error));
-  return mesh;
+  return dimension == 2 ? measure::ribbon(contours, 1) : mesh;
+}
+
+/// The same of the samples.
+Mesh sourceSurface(const LoadedVolume& volume, const EncodeOptions& options,
+                   const std::string& path) {
+  const MeshOptions world{.polygonizer = options.polygonizer, .normals = false};
+  Mesh mesh;
+  Contours contours;
+  const Error error = volume.dimension == 2
+                          ? polygonize(volume.image(), options.isovalue, world, contours)
+                          : polygonize(volume.view(), options.isovalue, world, mesh);
+  if (error != Error::None) throw Failure(path, describe(error));
+  return volume.dimension == 2 ? measure::ribbon(contours, 1) : mesh;
 }
 
 bool isAdaptive(const std::vector<std::byte>& stream) {
@@ -53,17 +70,14 @@ bool isAdaptive(const std::vector<std::byte>& stream) {
 std::vector<std::byte> encodeVerified(const LoadedVolume& volume, EncodeOptions options,
                                       const std::string& path) {
   std::vector<std::byte> stream = encodeWithBar(volume, options, path);
-  if (volume.dimension != 3 || !isAdaptive(stream)) return stream;
+  if (!isAdaptive(stream)) return stream;
   constexpr int kTries = 3;
   constexpr double kNextTry = 0.75;  // of the bound before
   const double bound = options.maxError * smallestSpacing(volume.placement);
-  Mesh source;
-  const MeshOptions world{.normals = false};
-  if (const Error error = polygonize(volume.view(), options.isovalue, world, source);
-      error != Error::None)
-    throw Failure(path, describe(error));
+  const Mesh source = sourceSurface(volume, options, path);
   for (int i = 0; i < kTries && isAdaptive(stream); ++i) {
-    const auto distance = measure::surfaceDistance(decodedMesh(stream, path), source);
+    const auto distance =
+        measure::surfaceDistance(decodedSurface(stream, volume.dimension, path), source);
     if (distance && distance->symmetric().max <= bound) return stream;
     options.maxError *= kNextTry;
     stream = encodeWithBar(volume, options, path);

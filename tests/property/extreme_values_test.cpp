@@ -106,6 +106,26 @@ TEST(ExtremeValues, bestEffortStatesTheBoundThatItHolds) {
   }
 }
 
+TEST(ExtremeValues, polygonizeIsExactOrRefuses) {
+  std::mt19937 random(5);
+  int refused = 0;
+  for (const double decades : {1.0, 4.0, 10.0, 20.0}) {
+    for (int i = 0; i < 20; ++i) {
+      const SampledField field = wild(random, decades);
+      Mesh mesh;
+      const Error error =
+          polygonize(field.volume(), 0, {Polygonizer::Cubes, Frame::Grid, false}, mesh);
+      refused += error != Error::None;
+      if (error == Error::None)
+        EXPECT_LE(farthestFromExact(mesh, field, 0), kLossless + kRounding * 32);
+      else
+        EXPECT_EQ(error, Error::BadArgument);
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 80);
+}
+
 TEST(ExtremeValues, featuresOfOneSampleAreKept) {
   for (const float bump : {1e-30F, 1e-3F, 1.F, 1e20F}) {
     SampledField field{"bump", {7, 7, 7}, std::vector<float>(343, -1.F)};

@@ -56,5 +56,14 @@ TEST(VertexCloud, findsTheNearestVertex) {
   }
 }
 
+TEST(VertexCloud, endsItsSearchHoweverFarAxesAreStretched) {
+  const Coordinates<3> box{40, 16, 16};
+  const auto field = signFields<3>(box).front();
+  const auto signs = DenseSigns<3>(Lattice<3>(box, 2), field.positive).bricks();
+  const VertexCloud<3> cloud(signs, {1, 1, 1e12}, {SmoothingFilter::Middle});
+  ASSERT_FALSE(cloud.empty());
+  EXPECT_TRUE(std::isfinite(squared(cloud.toNearest({0, 0, 16e12}))));
+}
+
 }  // namespace
 }  // namespace isostar

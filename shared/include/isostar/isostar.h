@@ -266,9 +266,10 @@ struct StreamInfo {
 [[nodiscard]] Error inspect(std::span<const std::byte>, StreamInfo& out);
 
 /// The surface of the source itself, as encode() sees it: the reference for distances, and what a
-/// lossless stream decodes to. BadArgument: the source violates its contract, the isovalue is not
-/// finite or, for a Sequence, options.time is outside 0 … frames - 1. OverLimit: more vertices than
-/// 32-bit indices can count. On an error the contents of `out` are unspecified.
+/// lossless stream decodes to, within 2^-14 grid steps of the samples' own. BadArgument: the source
+/// violates its contract, its samples differ so much in size that this cannot be held, the isovalue
+/// is not finite or, for a Sequence, options.time is outside 0 … frames - 1. OverLimit: more
+/// vertices than 32-bit indices can count. On an error the contents of `out` are unspecified.
 [[nodiscard]] Error polygonize(const Volume&, double isovalue, const MeshOptions&, Mesh& out);
 [[nodiscard]] Error polygonize(const Image&, double isovalue, const MeshOptions&, Contours& out);
 [[nodiscard]] Error polygonize(const Sequence&, double isovalue, const MeshOptions&, Mesh& out);

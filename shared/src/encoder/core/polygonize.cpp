@@ -32,8 +32,10 @@ Error withSource(std::span<const float> samples, std::span<const float> domain, 
   header.lossless = true;
   header.polygonizer = polygonizer;
   source.precision(polygonizer).fix(header);
-  chooseStep(header, kLosslessError / kQuantizationShare,
-             [&](const Header& stream) { return quantizationError(stream, source); });
+  const double error =
+      chooseStep(header, kLosslessError / kQuantizationShare,
+                 [&](const Header& stream) { return quantizationError(stream, source); });
+  if (error > kLosslessError) return Error::BadArgument;
   const GridField<D> end(domain, size, 0);
   Scalars<D> scalars(active.size()), distances(domain.empty() ? 0 : active.size());
   Tube<D> tube;

@@ -42,20 +42,22 @@ template <int D>
 /// Makes the step finer where the largest sample would set one that is too coarse for other
 /// crossings, as a fill value does: samples beyond the largest magnitude then saturate. Keeps the
 /// step that moves vertices least; a step that moves none by more than `allowed` stays.
-/// `errorOf(header)`: quantizationError() over all sources of the stream.
+/// `errorOf(header)`: quantizationError() over all sources of the stream. Returns what is left of
+/// it.
 template <class ErrorOf>
-void chooseStep(Header& header, double allowed, ErrorOf errorOf) {
+double chooseStep(Header& header, double allowed, ErrorOf errorOf) {
   constexpr int kMostHalvings = 200;
   double least = errorOf(header);
   Header finer = header;
   for (int i = 0; i < kMostHalvings && least > allowed; ++i) {
     finer.quantizationStep /= 2;
-    if (finer.quantizationStep < Header::kLeastStep) return;
+    if (finer.quantizationStep < Header::kLeastStep) return least;
     const double error = errorOf(finer);
-    if (error > least) return;
+    if (error > least) return least;
     least = error;
     header.quantizationStep = finer.quantizationStep;
   }
+  return least;
 }
 
 }  // namespace isostar

@@ -52,9 +52,12 @@ class VertexCloud {
     Coordinates<D> centre;
     for (int a = 0; a < D; ++a)
       centre[a] = std::clamp(static_cast<int32_t>(p[a] / side(a)), 0, table_.count(a) - 1);
+    int32_t rings = 1;
+    for (int a = 0; a < D; ++a) rings = std::max(rings, table_.count(a));
     Nearest nearest;
     // A brick of ring n + 1 is at least n bricks away.
     for (int32_t ring = 0;
+         ring < rings &&
          nearest.squared > square(std::max(0, ring - 1) * kBrickSide * double(lattice_.step));
          ++ring)
       scanRing(p, centre, ring, nearest);
