@@ -93,7 +93,11 @@ class RawDecoder {
   }
   void accept(size_t n) { decoder_.accept(std::as_bytes(std::span(room_).first(n))); }
   void finish() { decoder_.finish(); }
-  bool advance() { return decoder_.advance(); }
+  /// Frees the last mesh first: decoding may need its memory.
+  bool advance() {
+    mesh_ = {};
+    return decoder_.advance();
+  }
 
   bool isFinal() const { return decoder_.isFinal(); }
   int level() const { return decoder_.level(); }

@@ -86,5 +86,26 @@ TEST(DecoderExchange, staysOverBudget) {
   EXPECT_FALSE(exchange.charge(0)) << "what was decoded since may be incomplete";
 }
 
+/// How much work is one brick more.
+template <int D>
+uint64_t workOfBrick() {
+  RangeDecoder coder(std::span<const std::byte>{});
+  DecoderExchange<D> exchange(coder, 8, UINT64_MAX);
+  exchange.visitBrick();
+  return exchange.work();
+}
+
+TEST(DecoderExchange, chargesWhatIsGoneThroughWithoutADecision) {
+  EXPECT_EQ(workOfBrick<2>(), 8);
+  EXPECT_EQ(workOfBrick<3>(), 64);
+  EXPECT_EQ(workOfBrick<4>(), 512);
+  RangeDecoder coder(std::span<const std::byte>{});
+  DecoderExchange<3> exchange(coder, 8, UINT64_MAX, 10);
+  exchange.visit(9);
+  EXPECT_TRUE(exchange.charge(0));
+  EXPECT_FALSE(exchange.charge(0)) << "bricks that are passed over count, too";
+  EXPECT_TRUE(exchange.overBudget());
+}
+
 }  // namespace
 }  // namespace isostar

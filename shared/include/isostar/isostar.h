@@ -190,11 +190,12 @@ struct Limits {
   uint64_t samples = 1ull << 31;
   /// Vertices of a mesh, or points of contours.
   uint64_t vertices = 1ull << 26;
-  /// Bytes that a decoder uses, including the mesh while it is made. Not included are the bytes of
-  /// the stream given to accept(), which may take as much again, and up to 4 MB of models.
+  /// Bytes that a decoder uses, including the mesh while it is made. Not included are up to 4 MB
+  /// of models, and the bytes given to accept(): three times as many while their copy grows.
   uint64_t memory = 512ull << 20;
-  /// Yes/no decisions that are decoded, where each visit of a brick counts as 64 more: a few bytes
-  /// can hold very many. A decoder does about 30 million in a second.
+  /// Yes/no decisions that are decoded. Other work of decoding counts as many as take as long: 64
+  /// for each visit of a brick of a volume. A few bytes can hold very many. A decoder does about 30
+  /// million in a second.
   uint64_t decisions = 1ull << 28;
 };
 

@@ -35,6 +35,11 @@ class FarEnds {
     count_ = count;
   }
 
+  /// As long as so many decisions does find() take, about.
+  [[nodiscard]] static uint64_t decisionsToFind(const Allowed& allowed) {
+    return allowed.back() == 0 ? 1 : power(3, D) / 8;
+  }
+
   /// May an interval of `width` quantization steps around `middle` half quantization steps move a
   /// crossing on one of the edges by more than allowed? To first order, half the interval times |b|
   /// / (|a| + |b|)² is how far the crossing moves. Towards a small end of the interval it is more,

@@ -97,6 +97,18 @@ class Signs {
   std::vector<Brick<D>> bricks_;
 };
 
+/// How many members a set of vertices has.
+template <int D>
+uint64_t countMembers(const Signs<D>& set) {
+  uint64_t sum = 0;
+  for (std::size_t brickIndex = 0; brickIndex < set.table().total(); ++brickIndex) {
+    if (set.slot(brickIndex) == Signs<D>::kNegative) continue;
+    for (const uint8_t row : set.brickAt(brickIndex).rows)
+      sum += static_cast<unsigned>(std::popcount(row));
+  }
+  return sum;
+}
+
 /// Calls visit(v) for each member of a set of vertices, which are its positive ones. `visit` may
 /// change the sign of v itself.
 template <int D, class Visit>

@@ -49,6 +49,11 @@ struct VertexSet {
   [[nodiscard]] bool has(std::size_t r, int x) const {
     return (words[r / kBrickSide] & bit(r, x)) != 0;
   }
+  [[nodiscard]] std::size_t count() const {
+    std::size_t sum = 0;
+    for (const uint64_t word : words) sum += static_cast<std::size_t>(std::popcount(word));
+    return sum;
+  }
   /// Calls visit(r, x) for each vertex in order.
   template <class Visit>
   void forEach(Visit visit) const {

@@ -110,6 +110,8 @@ class AdaptiveMesh {
   ISOSTAR_COLD void fill(Exchange& exchange, int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];
     auto& absent = absent_[static_cast<std::size_t>(level)];
+    for (int finer = level; finer <= this->level(); ++finer)
+      exchange.visit(countMembers(this->absent(finer)) / 4);
     forEachMember(absent, [&](const Coordinates<D>& v) {
       auto corner = v;
       for (int a = 0; a < D; ++a) corner[a] -= signs.lattice().isNew(a, v[a]) ? 1 : 0;

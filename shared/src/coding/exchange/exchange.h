@@ -27,6 +27,7 @@ class EncoderExchange {
   [[nodiscard]] bool exhausted() const { return false; }
   [[nodiscard]] bool charge(uint64_t) const { return true; }
   void visitBrick() const {}
+  void visit(uint64_t) const {}
   void hold(uint64_t) {}
 
   /// For a layer that spans several levels: by level, the signs, and the centres of the cells that
@@ -127,13 +128,16 @@ class DecoderExchange {
   /// Reports the memory that the current state uses, in bytes. False if the budget is exceeded or
   /// the bytes are used up: nothing more may be decoded then.
   [[nodiscard]] bool charge(uint64_t memory) {
-    ++walked_;
     overBudget_ = overBudget_ || memory + held_ > memory_;
+    visit(1);
     return !exhausted();
   }
   /// Reports that a brick's vertices are gone through, whether or not anything is decoded there.
-  void visitBrick() {
-    walked_ += kDecisionsPerBrick;
+  void visitBrick() { visit(kDecisionsPerBrick); }
+  /// Reports work that takes about as long as so many decisions. Not inlined, to keep the
+  /// WebAssembly decoder small.
+  [[gnu::noinline]] void visit(uint64_t decisions) {
+    walked_ += decisions;
     overBudget_ = overBudget_ || work() > mostWork_;
   }
   /// As Limits::decisions counts it.
@@ -167,7 +171,8 @@ class DecoderExchange {
   [[nodiscard]] bool selected(std::size_t) const { return false; }
 
  private:
-  static constexpr uint64_t kDecisionsPerBrick = 64;  // loading a window takes as long
+  /// One for each row: loading the windows takes as long.
+  static constexpr uint64_t kDecisionsPerBrick = power(kBrickSide, D - 1);
 
   RangeDecoder& coder_;
   std::size_t slack_;

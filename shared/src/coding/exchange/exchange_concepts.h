@@ -17,6 +17,7 @@ concept AnyExchange = requires(E& e) {
   { e.exhausted() } -> std::convertible_to<bool>;
   { e.charge(uint64_t{}) } -> std::convertible_to<bool>;
   e.visitBrick();
+  e.visit(uint64_t{});
 };
 
 /// Signs of single vertices, and the first simplex of the next component (§5.1).

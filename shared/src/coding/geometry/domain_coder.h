@@ -31,6 +31,8 @@ class DomainCoder {
         exchange.visitBrick();
         tube_.enter(signs, brickIndex, Members::AxisEnds);
         if (diagonals) tube_.addDiagonalEnds(signs);
+        // Each examines the vertices around.
+        exchange.visit(tube_.members().count() * (power(3, D) / 8));
         if (!tube_.empty()) brick(exchange, brickIndex, sides, domain);
       }
     }

@@ -37,6 +37,7 @@ class MagnitudeCoder {
     if (pass.fitted && !fit_) fit_.emplace();
     for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted();
          ++brickIndex) {
+      exchange.visit(1);
       if (active[brickIndex] == 0 || !scalars.has(brickIndex)) continue;
       if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex)))
         continue;
@@ -46,7 +47,9 @@ class MagnitudeCoder {
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
       if (pass.fitted) fit_->enter(window_, gradient_);
       auto& brick = scalars.writable(brickIndex);
-      brick.members[static_cast<std::size_t>(pass.members)].forEach([&](std::size_t r, int x) {
+      const auto& members = brick.members[static_cast<std::size_t>(pass.members)];
+      exchange.visit(members.count() * FarEnds<D>::decisionsToFind(pass.allowed));
+      members.forEach([&](std::size_t r, int x) {
         if (!exchange.exhausted()) vertex(exchange, brick, brickIndex, r, x, pass);
       });
     }

@@ -21,6 +21,7 @@ class FurtherMagnitudeCoder {
             Scalars<D>& scalars, const Pass& pass, const std::vector<uint8_t>& active) {
     for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted();
          ++brickIndex) {
+      exchange.visit(1);
       if (active[brickIndex] == 0 || !scalars.has(brickIndex) || !intervals.has(brickIndex))
         continue;
       if (pass.selective && !selectModel_.bit(exchange.coder(), exchange.selected(brickIndex)))
@@ -31,7 +32,9 @@ class FurtherMagnitudeCoder {
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
       auto& brick = scalars.writable(brickIndex);
       auto& known = intervals.writable(brickIndex);
-      brick.members[static_cast<std::size_t>(pass.members)].forEach([&](std::size_t r, int x) {
+      const auto& members = brick.members[static_cast<std::size_t>(pass.members)];
+      exchange.visit(members.count() * FarEnds<D>::decisionsToFind(pass.allowed));
+      members.forEach([&](std::size_t r, int x) {
         const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
         if (exchange.exhausted() || !brick.knows(v) || !known[v].bounded()) return;
         const bool positive = brick.value[v] > 0;

@@ -88,7 +88,7 @@ class FurtherSignCoder {
       for (uint32_t open = front_.openRow(brickIndex, r); open != 0; open &= open - 1) {
         const int x = std::countr_zero(open);
         if (!known[vertexOf(r, x)].bounded()) continue;
-        if (!entered) enter(brickIndex);
+        if (!entered) enter(exchange, brickIndex);
         entered = true;
         codeVertex(exchange, brickIndex, r, x);
       }
@@ -100,7 +100,7 @@ class FurtherSignCoder {
   [[gnu::noinline]] void grow(Exchange& exchange) {
     while (const auto brickIndex = front_.next()) {
       if (!charge(exchange)) return;
-      enter(*brickIndex);
+      enter(exchange, *brickIndex);
       for (bool more = true; more;) {
         more = false;
         for (std::size_t r = 0; r < kRows; ++r) {
@@ -157,14 +157,16 @@ class FurtherSignCoder {
       if ((front_.openRow(brickIndex, r) >> x & 1) == 0) continue;
       if (!vertexFlag_.bit(exchange.coder(), (mispredicted(exchange, brickIndex, r) >> x & 1) != 0))
         continue;
-      enter(brickIndex);
+      enter(exchange, brickIndex);
       settle(brickIndex, r, x, !front_.positive(r, x));
       front_.leave();
       grow(exchange);
     }
   }
 
-  [[gnu::noinline]] void enter(std::size_t brickIndex) {
+  template <SignExchange Exchange>
+  [[gnu::noinline]] void enter(Exchange& exchange, std::size_t brickIndex) {
+    exchange.visitBrick();
     front_.enter(brickIndex);
     contexts_.enter(front_, *scalars_, signs_->table(), brickIndex);
   }

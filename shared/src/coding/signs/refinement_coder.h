@@ -105,6 +105,7 @@ class RefinementCoder {
         if (active_[brickIndex] != 0 ||
             !newComponents_.codeQuietBrick(exchange, signs, rows_, brickIndex, newAxisCount))
           continue;
+        exchange.visitBrick();
         rows_.enter(signs, absent_, brickIndex, newAxisCount);
         newComponents_.codeRows(exchange, brickIndex, rows_, 0);
         store(signs, brickIndex);
