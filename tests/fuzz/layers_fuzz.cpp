@@ -69,7 +69,7 @@ void writeLayer(FuzzInput& input, const Header& header, int coded, std::vector<s
   }
   const auto payload = input.bytes(static_cast<std::size_t>(input.byte()));
   head.bytes = payload.size();
-  head.checksum = checksum(head, payload);
+  head.checksum = checksum(head, payload, static_cast<std::size_t>(coded));
   ByteWriter out(stream);
   write(out, head);
   stream.insert(stream.end(), payload.begin(), payload.end());

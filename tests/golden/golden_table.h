@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -112,6 +114,17 @@ inline std::vector<std::byte> goldenBytes(const std::string& path) {
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
+}
+
+/// All golden streams in a folder, by name.
+inline std::vector<std::vector<std::byte>> goldenStreams(const std::string& folder) {
+  std::set<std::string> paths;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() == ".isostar") paths.insert(file.path().string());
+  }
+  std::vector<std::vector<std::byte>> streams;
+  for (const std::string& path : paths) streams.push_back(goldenBytes(path));
+  return streams;
 }
 
 /// The lines of a table except comments.

@@ -1,20 +1,8 @@
 // Adaptive streams with changed bits and repaired checksums.
-#include "harmless.h"
-#include "stream_layout.h"
+#include "flipped_bits.h"
 
 namespace isostar {
 namespace {
-
-void expectHarmless(const Bytes& good, std::size_t stride) {
-  const StreamLayout layout(good);
-  Bytes bytes = good;
-  for (std::size_t bit = 0; bit < 8 * good.size(); bit += stride) {
-    SCOPED_TRACE("bit " + std::to_string(bit % 8) + " of byte " + std::to_string(bit / 8));
-    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
-    (void)harmlesslyDecoded(repaired(bytes, layout));
-    bytes[bit / 8] ^= std::byte{1} << (bit % 8);
-  }
-}
 
 TEST(AdaptiveDamage, isHarmlessWithRepairedChecksums) {
   const auto field = sampled("ball", {80, 72, 84}, [](double x, double y, double z) {
@@ -27,7 +15,7 @@ TEST(AdaptiveDamage, isHarmlessWithRepairedChecksums) {
   StreamInfo info;
   ASSERT_EQ(inspect(good, info), Error::None);
   ASSERT_TRUE(info.adaptive);
-  expectHarmless(good, 293);
+  expectHarmlessFlips(good, 293);
 }
 
 TEST(AdaptiveDamage, isHarmlessInFittedScalars) {
@@ -39,7 +27,7 @@ TEST(AdaptiveDamage, isHarmlessInFittedScalars) {
   const Bytes good = encoded(sampled("ball", size, sphere(size, 0.45)), options);
   const StreamLayout layout(good);
   ASSERT_TRUE(layout.header.adaptive && layout.header.fitted);
-  expectHarmless(good, 7);
+  expectHarmlessFlips(good, 7);
 }
 
 TEST(AdaptiveDamage, isHarmlessInStreamsThatPreserveTopology) {
@@ -49,9 +37,9 @@ TEST(AdaptiveDamage, isHarmlessInStreamsThatPreserveTopology) {
   const StreamLayout layout(good);
   ASSERT_TRUE(layout.header.keepsTopology);
   // Every bit of the signs, then samples of the whole stream.
-  expectHarmless(
+  expectHarmlessFlips(
       Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(layout.layers[3].end)), 53);
-  expectHarmless(good, 997);
+  expectHarmlessFlips(good, 997);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(HostileDimensions, noiseIsHarmless) {
       header.dimension = dimension;
       header.size = size;
       header.countWhole(1);
-      std::vector<std::pair<LayerHead, Bytes>> layers;
+      Layers layers;
       for (int level = 0; level <= header.finestLevel() + 4; ++level) {
         const int further = level - header.finestLevel();
         const LayerKind kind = level == 0     ? LayerKind::Base

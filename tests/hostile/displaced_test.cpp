@@ -145,7 +145,7 @@ struct FarField : NoScalars {
 template <int D>
 void expectHarmlessWhereFarthest() {
   const Header header = boxOf(D);
-  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Layers layers;
   CodecState<D> known(header);
   layers.push_back(
       {LayerHead{}, randomlyCoded<D>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});

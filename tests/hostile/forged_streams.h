@@ -31,7 +31,7 @@ Bytes fieldsOf(const GeometryPass<D>& pass) {
 template <int D, class Payload>
 Bytes forgedStream(const Header& header, const std::vector<GeometryPass<D>>& passes,
                    const std::vector<GeometryPass<D>>& further, Payload payload) {
-  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Layers layers;
   CodecState<D> known(header);
   const auto add = [&](LayerKind kind, int level, Bytes bytes, auto code) {
     const Bytes coded = payload(code);

@@ -17,6 +17,20 @@ inline std::vector<double> isovaluesToShow(const StreamInfo& info) {
   return isovalues;
 }
 
+/// Both polygonizers, each isovalue, and a time on a frame and between two.
+inline std::vector<MeshOptions> optionsToShow(const StreamInfo& info) {
+  std::vector<MeshOptions> all;
+  for (const Polygonizer polygonizer : kPolygonizers) {
+    for (const double isovalue : isovaluesToShow(info)) {
+      for (const double time : {0.0, 0.7}) {
+        if (time == 0 || info.frames > 1)
+          all.push_back({polygonizer, Frame::World, true, time, isovalue});
+      }
+    }
+  }
+  return all;
+}
+
 /// Makes the surface or the contours: sound, or over the limits.
 inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options,
                            const Limits& limits) {
@@ -34,6 +48,14 @@ inline void showHarmlessly(const Decoder& decoder, const MeshOptions& options,
   EXPECT_LE(verticesOf(mesh), limits.vertices);
 }
 
+/// What holds of a decoder that has decoded what it can of `length` bytes.
+inline void expectEnded(const Decoder& decoder, std::size_t length) {
+  EXPECT_TRUE(decoder.isFinal() || decoder.error() != Error::None);
+  EXPECT_LE(decoder.bytes(), length);
+  Mesh mesh;
+  EXPECT_EQ(decoder.mesh({}, mesh) == Error::Truncated, !decoder.ready());
+}
+
 /// Decodes all layers and makes all surfaces after each; returns the decoder.
 inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits& limits = kTight) {
   const Bytes copy(bytes.begin(), bytes.end());
@@ -41,20 +63,19 @@ inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits&
   decoder.accept(copy);
   decoder.finish();
   while (decoder.advance()) {
-    for (const Polygonizer polygonizer : kPolygonizers) {
-      for (const double isovalue : isovaluesToShow(decoder.info())) {
-        MeshOptions options{polygonizer, Frame::World, true};
-        options.isovalue = isovalue;
-        showHarmlessly(decoder, options, limits);
-        options.time = 0.7;  // between two frames
-        if (decoder.info().frames > 1) showHarmlessly(decoder, options, limits);
-      }
-    }
+    for (const MeshOptions& options : optionsToShow(decoder.info()))
+      showHarmlessly(decoder, options, limits);
   }
-  EXPECT_TRUE(decoder.isFinal() || decoder.error() != Error::None);
-  EXPECT_LE(decoder.bytes(), bytes.size());
-  Mesh mesh;
-  EXPECT_EQ(decoder.mesh({}, mesh) == Error::Truncated, !decoder.ready());
+  expectEnded(decoder, bytes.size());
+  return decoder;
+}
+
+/// Decodes all layers and makes one of the last surfaces, by `number`; returns the decoder.
+inline Decoder harmlesslyDecodedToTheEnd(std::span<const std::byte> bytes, std::size_t number) {
+  Decoder decoder = decoderOf(bytes, kTight);
+  const auto options = optionsToShow(decoder.info());
+  if (decoder.ready()) showHarmlessly(decoder, options[number % options.size()], kTight);
+  expectEnded(decoder, bytes.size());
   return decoder;
 }
 

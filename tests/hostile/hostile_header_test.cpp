@@ -132,13 +132,7 @@ TEST(HostileHeader, layersOfIsovaluesOutOfOrderAreCorrupt) {
   options.furtherIsovalues = {0.3, 0.5};
   const Bytes good = encoded(field, options);
   const StreamLayout layout(good);
-  std::vector<std::pair<LayerHead, Bytes>> layers;
-  for (std::size_t i = 0; i < layout.layers.size(); ++i) {
-    const auto& at = layout.layers[i];
-    layers.emplace_back(layout.heads[i],
-                        Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
-                              good.begin() + static_cast<std::ptrdiff_t>(at.end)));
-  }
+  const Layers layers = layersOf(good, layout);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     for (int number = 0; number < 4; ++number) {
       auto other = layers;
@@ -157,13 +151,7 @@ TEST(HostileHeader, layersOutOfOrderAreHarmless) {
   const auto field = sampled("sphere", {20, 20, 20}, sphere({20, 20, 20}));
   const Bytes good = encoded(field);
   const StreamLayout layout(good);
-  std::vector<std::pair<LayerHead, Bytes>> layers;
-  for (std::size_t i = 0; i < layout.layers.size(); ++i) {
-    const auto& at = layout.layers[i];
-    layers.emplace_back(layout.heads[i],
-                        Bytes(good.begin() + static_cast<std::ptrdiff_t>(at.payload),
-                              good.begin() + static_cast<std::ptrdiff_t>(at.end)));
-  }
+  const Layers layers = layersOf(good, layout);
   ASSERT_EQ(assembled(layout.header, layers), good);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     auto missing = layers, twice = layers, swapped = layers;
@@ -211,7 +199,7 @@ TEST(HostileHeader, aHugeLayerIsTruncatedOrCorrupt) {
 }
 
 TEST(HostileHeader, tooManyLayersAreCorrupt) {
-  std::vector<std::pair<LayerHead, Bytes>> layers(1000, {LayerHead{}, Bytes(4)});
+  Layers layers(1000, {LayerHead{}, Bytes(4)});
   for (std::size_t i = 1; i < layers.size(); ++i) layers[i].first.kind = LayerKind::Exponents;
   const Bytes bytes = assembled(plausible(), layers);
   EXPECT_EQ(errorOf(bytes), Error::Corrupt);

@@ -124,7 +124,7 @@ TEST(HostileNoise, furtherIsovaluesEndSoonAndAreClosed) {
 template <class Payload>
 Bytes adaptiveStreamOf(Header header, Payload payload) {
   header.adaptive = true;
-  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Layers layers;
   AdaptiveField<3> field(header.base<3>());
   for (int level = 0; level <= header.finestLevel(); ++level) {
     const LayerKind kind = level == 0 ? LayerKind::Base : LayerKind::Refinement;
@@ -186,7 +186,7 @@ struct SteepField {
 
 TEST(HostileNoise, theSteepestFieldIsShownAtEachPrefix) {
   const Header header = headerOf({9, 9, 9});
-  std::vector<std::pair<LayerHead, Bytes>> layers;
+  Layers layers;
   CodecState<3> known(header);
   layers.push_back(
       {LayerHead{}, randomlyCoded<3>(1, 0.5, [&](auto& exchange) { known.base(exchange); })});
@@ -242,7 +242,7 @@ TEST(HostileNoise, emptyLevelsOfHugeBoxesAreOverLimit) {
   for (const Size& size :
        {Size{1 << 11, 1 << 10, 1 << 10}, Size{(1 << 28) - 1, 2, 2}, Size{1 << 15, 1 << 15, 1}}) {
     for (const Header& header : {headerOf(size), weldedOf(size)}) {
-      std::vector<std::pair<LayerHead, Bytes>> layers;
+      Layers layers;
       for (int level = 0; level <= header.finestLevel(); ++level) {
         layers.push_back(
             {{.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement, .level = level},

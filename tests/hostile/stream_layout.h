@@ -1,7 +1,7 @@
 // Where the parts of a stream are, so that a test can damage one of them and repair the checksums.
 #pragma once
 
-#include "container/stream.h"
+#include "mended_checksums.h"
 #include "property/round_trip.h"
 
 namespace isostar {
@@ -28,38 +28,42 @@ struct StreamLayout {
   }
 };
 
-inline void putChecksum(Bytes& bytes, std::size_t at, std::size_t length, uint32_t sum) {
-  for (std::size_t i = 0; i < length; ++i)
-    bytes[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
-}
-
 /// The damaged stream with correct checksums. `layout`: of the undamaged stream.
 inline Bytes repaired(Bytes bytes, const StreamLayout& layout) {
   const std::span<const std::byte> all(bytes);
   constexpr std::size_t kMagic = 3, kSum = 2;
   putChecksum(bytes, layout.headerEnd - kSum, kSum,
               checksum(all.subspan(kMagic, layout.headerEnd - kMagic - kSum)));
-  for (const auto& layer : layout.layers) {
+  for (std::size_t i = 0; i < layout.layers.size(); ++i) {
+    const auto& layer = layout.layers[i];
     LayerHead head;
     std::size_t used = 0;
     if (read(all.subspan(layer.head), layout.header, head, used) != Error::None) continue;
     const std::size_t length = layer.end - layer.payload, sum = length < 1024 ? 2 : 4;
     putChecksum(bytes, layer.payload - sum, sum,
-                checksum(head, all.subspan(layer.payload, length)));
+                checksum(head, all.subspan(layer.payload, length), i));
   }
   return bytes;
 }
 
-/// A stream of a header and of given layers, with correct sizes and checksums.
-inline Bytes assembled(Header header, const std::vector<std::pair<LayerHead, Bytes>>& layers) {
-  Bytes behind;
-  ByteWriter out(behind);
-  for (auto [head, payload] : layers) {
-    head.bytes = payload.size();
-    head.checksum = checksum(head, payload);
-    write(out, head);
-    behind.insert(behind.end(), payload.begin(), payload.end());
+/// The layers of a stream without their heads' bytes.
+using Layers = std::vector<std::pair<LayerHead, Bytes>>;
+
+inline Layers layersOf(std::span<const std::byte> bytes, const StreamLayout& layout) {
+  Layers layers;
+  for (std::size_t i = 0; i < layout.layers.size(); ++i) {
+    const auto& at = layout.layers[i];
+    const auto layer = bytes.subspan(at.payload, at.end - at.payload);
+    layers.emplace_back(layout.heads[i], Bytes(layer.begin(), layer.end()));
   }
+  return layers;
+}
+
+/// A stream of a header and of given layers, with correct sizes and checksums.
+inline Bytes assembled(Header header, const Layers& layers) {
+  Bytes behind;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    append(behind, layers[i].first, layers[i].second, i);
   header.bytes = behind.size();
   Bytes bytes;
   ByteWriter whole(bytes);

@@ -63,12 +63,12 @@ TEST(LayerHead, isCorruptWithALevelThatTheHeaderLacks) {
             Error::Corrupt);
 }
 
-TEST(Checksum, coversTheHeadOfALayer) {
+TEST(Checksum, coversTheHeadAndTheNumberOfALayer) {
   const Bytes layer(2000, std::byte{7});
   for (const std::size_t length : {std::size_t{10}, layer.size()}) {
     const auto bytes = std::span(layer).first(length);
     const LayerHead head{.kind = LayerKind::Refinement, .level = 3, .error = 0.25, .bytes = length};
-    const uint32_t sum = checksum(head, bytes);
+    const uint32_t sum = checksum(head, bytes, 4);
     EXPECT_EQ(sum < 0x10000, length == 10);
     LayerHead kind = head, level = head, error = head, longer = head;
     kind.kind = LayerKind::Exponents;
@@ -76,7 +76,8 @@ TEST(Checksum, coversTheHeadOfALayer) {
     error.error = 0.3;
     longer.bytes += 1;
     for (const LayerHead& other : {kind, level, error, longer})
-      EXPECT_NE(checksum(other, bytes), sum);
+      EXPECT_NE(checksum(other, bytes, 4), sum);
+    EXPECT_NE(checksum(head, bytes, 5), sum);
   }
 }
 

@@ -90,9 +90,10 @@ TEST(TaggedSimplex, diamondsHaveTheSimplicesOfTheirEdge) {
                                          {{2, 2, 0}, 2},
                                          {{4, 4, 2}, 8}}) {
     const auto diamond = hierarchy.diamond(vertex);
+    EXPECT_EQ(diamond.vertex, vertex);
     std::set<std::set<Coordinates<3>>> found;
     forEachSimplexOf(diamond, hierarchy, [&](const TaggedSimplex<3>& s) {
-      EXPECT_EQ(s.middle(), vertex);
+      EXPECT_EQ(s.middle(), diamond.vertex);
       EXPECT_EQ(s.depth, diamond.depth - 1);
       EXPECT_EQ(orientedVolume(s) < 0, s.mirrored);
       found.insert({s.vertices.begin(), s.vertices.end()});

@@ -128,8 +128,9 @@ uint32_t checksum(std::span<const std::byte> header) {
   return crc.sum();
 }
 
-uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer) {
+uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer, std::size_t number) {
   const auto sumOf = [&](auto crc) -> uint32_t {
+    crc.add(static_cast<uint8_t>(number));
     crc.add(static_cast<uint8_t>(packed(head)));
     crc.add(static_cast<uint8_t>(pack(head.error)));
     for (int shift = 0; shift < 64; shift += 8) crc.add(static_cast<uint8_t>(head.bytes >> shift));
@@ -186,9 +187,10 @@ void write(ByteWriter& out, const LayerHead& head) {
     out.u32(head.checksum);
 }
 
-void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer) {
+void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer,
+            std::size_t number) {
   head.bytes = layer.size();
-  head.checksum = checksum(head, layer);
+  head.checksum = checksum(head, layer, number);
   ByteWriter writer(out);
   write(writer, head);
   out.insert(out.end(), layer.begin(), layer.end());

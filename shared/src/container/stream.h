@@ -22,8 +22,9 @@ inline constexpr uint64_t kMostLayers = 255;
 
 void write(ByteWriter& out, const Header& header);
 void write(ByteWriter& out, const LayerHead& head);
-/// Appends a layer. Sets the length and the checksum in its head.
-void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer);
+/// Appends a layer, which `number` layers precede. Sets the length and the checksum in its head.
+void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer,
+            std::size_t number);
 
 /// Error::Truncated if more bytes are needed; `used` is then not set. Otherwise `used` receives the
 /// size of the header or head in bytes.
@@ -31,8 +32,10 @@ void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::by
 [[nodiscard]] Error read(std::span<const std::byte> in, const Header& header, LayerHead& out,
                          std::size_t& used);
 
-/// Of a layer and the other fields of its head; 16 bits for a short layer, 32 for others.
-[[nodiscard]] uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer);
+/// Of a layer, the other fields of its head and its number: how many layers precede it. 16 bits for
+/// a short layer, 32 for others.
+[[nodiscard]] uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer,
+                                std::size_t number);
 /// Of the header's bytes between the first three and the checksum itself; 16 bits.
 [[nodiscard]] uint32_t checksum(std::span<const std::byte> header);
 

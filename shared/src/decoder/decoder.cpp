@@ -160,7 +160,7 @@ ISOSTAR_COLD bool Decoder::State::advance() {
   const auto bytes = rest.subspan(used);
   if (bytes.size() < head.bytes) return finished && decodeTorn(head, bytes);
   const auto layer = bytes.first(static_cast<std::size_t>(head.bytes));
-  if (checksum(head, layer) != head.checksum) return fail(Error::Corrupt);
+  if (checksum(head, layer, info.layers.size()) != head.checksum) return fail(Error::Corrupt);
   if (const auto outcome = reconstruction->decode(head, layer, false); outcome.error != Error::None)
     return fail(outcome.error);
   at += used;

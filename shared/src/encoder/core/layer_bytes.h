@@ -26,13 +26,14 @@ class LayerBytes {
     code(exchange);
     coder.finish();
     head.error = error();
-    append(bytes_, head, layer);
+    append(bytes_, head, layer, layers_++);
   }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
 
  private:
   std::vector<std::byte> bytes_;
+  std::size_t layers_ = 0;
 };
 
 }  // namespace isostar

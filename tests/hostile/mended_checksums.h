@@ -1,0 +1,52 @@
+// Repairs the checksums of damaged streams, so that the damage reaches the decoder.
+#pragma once
+
+#include <algorithm>
+
+#include "container/stream.h"
+
+namespace isostar {
+
+/// Stores a checksum of `length` bytes.
+inline void putChecksum(std::vector<std::byte>& stream, std::size_t at, std::size_t length,
+                        uint32_t sum) {
+  for (std::size_t i = 0; i < length; ++i)
+    stream[at + i] = static_cast<std::byte>(sum >> (8 * i) & 0xFF);
+}
+
+/// The length of a header depends on its fields, so every position is tried for its checksum. 0 if
+/// none fits.
+inline std::size_t mendHeader(std::vector<std::byte>& stream, Header& header) {
+  constexpr std::size_t kMagic = 3, kSum = 2, kLongest = 400;
+  const std::span<const std::byte> all(stream);
+  for (std::size_t end = kMagic + 1; end + kSum <= std::min(stream.size(), kLongest); ++end) {
+    const std::array<std::byte, kSum> before{stream[end], stream[end + 1]};
+    putChecksum(stream, end, kSum, checksum(all.subspan(kMagic, end - kMagic)));
+    std::size_t used = 0;
+    if (read(all, header, used) == Error::None && used == end + kSum) return used;
+    std::copy(before.begin(), before.end(), stream.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return 0;
+}
+
+/// Corrects the checksums of the header and of all layers up to the first head that cannot be read
+/// or that states a longer layer than there is.
+inline void mendChecksums(std::vector<std::byte>& stream) {
+  constexpr std::size_t kShort = 1024;  // shorter layers have checksums of 16 bits
+  const std::span<const std::byte> all(stream);
+  Header header;
+  std::size_t at = mendHeader(stream, header);
+  for (std::size_t number = 0; at != 0 && at < stream.size(); ++number) {
+    LayerHead head;
+    std::size_t used = 0;
+    if (read(all.subspan(at), header, head, used) != Error::None) return;
+    at += used;
+    if (head.bytes > stream.size() - at) return;
+    const auto layer = all.subspan(at, static_cast<std::size_t>(head.bytes));
+    const std::size_t length = layer.size() < kShort ? 2 : 4;
+    putChecksum(stream, at - length, length, checksum(head, layer, number));
+    at += layer.size();
+  }
+}
+
+}  // namespace isostar
