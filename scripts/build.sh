@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the command line at build/isostar, the decoder as WebAssembly, the npm package in web/dist
-# and the viewer in build/viewer. `build.sh test` adds the C++ tests.
+# and the viewer in build/viewer, and records versions in build/packages.txt. `build.sh test` adds
+# the C++ tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,3 +22,4 @@ NODE_PATH=/usr/share/nodejs configure wasm
 NODE_PATH=/usr/share/nodejs cmake --build --preset wasm
 npm run --silent --workspace web build
 npx vite build web/viewer --config web/viewer/vite.config.ts --logLevel error
+bash scripts/record-packages.sh

@@ -4,14 +4,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-packages=(
-  g++ cmake ninja-build ccache emscripten                 # compilers
-  libcli11-dev nlohmann-json3-dev                         # the command line
-  libinsighttoolkit5-dev libnifti2-dev                    # volumes
-  libgtest-dev libglm-dev                                 # tests, built with everything else
-  libdraco-dev draco libmeshoptimizer-dev libzstd-dev     # the codecs of the comparison
-)
-if [ "${1:-}" = test ]; then packages+=(chromium clang-format clang-tidy); fi
+source scripts/packages.sh
+packages=("${buildPackages[@]}")
+if [ "${1:-}" = test ]; then packages+=("${testPackages[@]}"); fi
 
 isInstalled() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

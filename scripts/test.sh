@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs every test: format, names, C++, types, Node, browser. Each runner prints its own summary; the others
-# run even if one fails.
+# Runs every test: format, names, C++, types, Node, browser, fuzzers, sanitizers, compilers. Each
+# runner prints its own summary; the others run even if one fails. `test.sh [SECONDS]`: how long each
+# fuzzer runs, by default 10.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -12,4 +13,7 @@ for project in web web/viewer tests/node; do npx tsc -p "$project" --noEmit || f
 node --test tests/node/*.test.mjs || failed=1
 # One browser at a time: two would slow each other down.
 node --test --test-concurrency=1 --test-timeout=120000 tests/browser/*.test.mjs || failed=1
+bash scripts/fuzz.sh "${1:-10}" || failed=1
+bash scripts/sanitize.sh fuzz || failed=1
+bash scripts/same-bytes.sh --quick || failed=1
 exit $failed

@@ -1,5 +1,5 @@
 // Builds the publishable package into dist/: an ES module per entry, the chunks that they share,
-// type declarations and the decoder's WebAssembly.
+// type declarations, the decoder's WebAssembly and licences.
 import { build } from 'esbuild';
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -27,6 +27,11 @@ const { metafile } = await build({
 const typescript = createRequire(import.meta.url).resolve('typescript/bin/tsc');
 execFileSync(process.execPath, [typescript, '-p', here('.')], { stdio: 'inherit' });
 copyFileSync(here('../build/wasm/decoder.wasm'), here('dist/decoder.wasm'));
+copyFileSync(here('../LICENSE'), here('dist/LICENSE'));
+copyFileSync(here('THIRD-PARTY.md'), here('dist/THIRD-PARTY.md'));
+// No package is bundled; THIRD-PARTY.md would have to list it.
+const bundled = Object.keys(metafile.inputs).filter((path) => path.includes('node_modules/'));
+if (bundled.length > 0) throw new Error(`bundled without a licence: ${bundled.join(', ')}`);
 
 /** What a page downloads for an entry: the entry itself and all that it imports. */
 function closure(file, files = new Set()) {

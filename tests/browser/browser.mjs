@@ -1,5 +1,6 @@
 // Chromium, a server for the built viewer and for a test's own files, and helpers to inspect a
 // page.
+import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -22,8 +23,8 @@ const ARGUMENTS = [
 export const VIEWER = fileURLToPath(new URL('../../build/viewer', import.meta.url));
 
 /**
- * Serves `folders` and opens pages; `close` ends both. `complaints` collects the errors and
- * warnings of all pages.
+ * Serves `folders` and opens pages; `close` ends both, and fails if a page or worker requested
+ * anything from elsewhere. `complaints` collects the errors and warnings of all pages.
  */
 export async function openBrowser(folders, options) {
   const profile = mkdtempSync(join(tmpdir(), 'isostar-browser-'));
@@ -35,6 +36,11 @@ export async function openBrowser(folders, options) {
     viewport: { width: 1000, height: 700 },
   });
   const complaints = [];
+  const requestsElsewhere = [];
+  context.on('request', (request) => {
+    if (!request.url().startsWith(address) && !isLocal(request.url()))
+      requestsElsewhere.push(request.url());
+  });
   return {
     address,
     complaints,
@@ -55,9 +61,13 @@ export async function openBrowser(folders, options) {
       server.closeAllConnections();
       server.close();
       rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+      assert.deepEqual(requestsElsewhere, []);
     },
   };
 }
+
+/** Addresses for which a page opens no connection. */
+const isLocal = (url) => /^(data|blob|about):/.test(url);
 
 /** Chromium's own warnings about its software renderer do not count. */
 const isComplaint = (message) =>
