@@ -4,6 +4,7 @@ import { mkdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { chunks } from './chunks/chunks.mjs';
 import { comparison } from './comparison/comparison.mjs';
 import { figure6 } from './figure6/figure6.mjs';
 import { defaultInputs, inputsOf } from './measure/inputs.mjs';
@@ -15,6 +16,7 @@ const { values: options } = parseArgs({
     rate: { type: 'boolean' }, // also against simplified meshes and other codecs, at five distances
     figure6: { type: 'boolean' }, // instead: the paper's figure 6, of the horse and five scans
     paper: { type: 'boolean' }, // instead: the paper's features other than uniform streams
+    chunks: { type: 'boolean' }, // instead: the bytes of streams in chunks
     quick: { type: 'boolean' }, // fewer points and rounds
     effort: { type: 'string' }, // of isostar's encoder; results go to a folder of their own
     only: { type: 'string' }, // surfaces whose name contains this
@@ -29,5 +31,7 @@ const inputs = (options.data ? inputsOf(options.data) : defaultInputs(join(build
   .filter(({ name }) => name.includes(options.only ?? ''))
   .map((input) => ({ ...input, effort: options.effort }));
 mkdirSync(out, { recursive: true });
-const run = options.figure6 ? figure6 : options.paper ? paper : comparison;
+const modes = { chunks, figure6, paper };
+const mode = Object.keys(modes).find((name) => options[name]);
+const run = modes[mode] ?? comparison;
 await run({ build, inputs, options, out });

@@ -62,6 +62,8 @@ export const topology = (program, input) => run(program, ['topology', ...subject
 export const furtherIsovalue = (program, input, isovalue) =>
   run(program, ['near', ...subject(input), '--near', String(isovalue)]);
 
+export const chunks = (program, input) => run(program, ['chunks', ...subject(input)]);
+
 export const image = (program, file, isovalue) =>
   run(program, ['image', file, '--iso', String(isovalue)]);
 

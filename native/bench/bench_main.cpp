@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 
+#include "bench/chunk_cost.h"
 #include "bench/decoder_memory.h"
 #include "bench/figure6.h"
 #include "bench/paper_commands.h"
@@ -40,6 +41,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   timesCommand.add_option("--keep", timeOptions.keep, "Folder for surface.isostar and surface.drc");
   timesCommand.callback([&] { std::cout << times(readSubject(request), timeOptions) << "\n"; });
+
+  CLI::App& chunksCommand = addSubject(app, "chunks", "The bytes of streams in chunks", request);
+  chunksCommand.callback([&] { std::cout << chunkCost(readSubject(request)) << "\n"; });
 
   addPaperCommands(app);
 

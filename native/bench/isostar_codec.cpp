@@ -23,6 +23,12 @@ std::vector<std::byte> encodeIsostar(const Subject& subject, double maxError) {
   return encoded(subject, boundedBy(maxError, subject));
 }
 
+std::vector<std::byte> encodeIsostarInChunks(const Subject& subject, double maxError, int side) {
+  EncodeOptions options = boundedBy(maxError, subject);
+  options.chunkSide = side;
+  return encoded(subject, options);
+}
+
 std::vector<std::byte> encodeIsostarAdaptive(const Subject& subject, double maxError) {
   EncodeOptions options = boundedBy(maxError, subject);
   options.adaptive = true;

@@ -9,6 +9,8 @@
 namespace isostar::bench {
 
 std::vector<std::byte> encodeIsostar(const Subject&, double maxError);
+/// With chunks of this side; 0: one chunk.
+std::vector<std::byte> encodeIsostarInChunks(const Subject&, double maxError, int side);
 /// With coarse simplices if they keep the bound and make the stream smaller.
 std::vector<std::byte> encodeIsostarAdaptive(const Subject&, double maxError);
 /// Every surface along the stream has the components and handles of the last one.

@@ -208,6 +208,7 @@ void addDecode(CLI::App& app) {
                   "The time of a sequence's surface, in frames from 0 [default: 0]")
       ->check(kFinite)
       ->type_name("T");
+  addThreads(command);
   addPolygonizer(command, arguments->options.polygonizer,
                  "One vertex per crossing axis edge, or one polygon per crossing tetrahedron");
   addFrame(command, arguments->options.frame,

@@ -223,6 +223,10 @@ void addCoding(CLI::App& command, EncodeArguments& arguments) {
                   "2 makes streams smaller, those of smooth surfaces by up to 18 %; encoding and "
                   "decoding take longer")
       ->check(CLI::Range(1, EncodeOptions::kMostEffort));
+  addChunk(command, options.chunkSide,
+           "The side of the chunks that are decoded side by side, in cells: 64, 128 or none "
+           "[default: 128 for a surface of many vertices]");
+  addThreads(command);
   command.add_flag("--best-effort", options.bestEffort,
                    "Write a stream even if the bound cannot be held; it then states the bound that "
                    "it holds");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "files/text.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::native {
 namespace {
@@ -116,6 +117,22 @@ CLI::Option* addFurther(CLI::App& app, std::vector<double>& values, const std::s
       ->allow_extra_args(false)
       ->default_str("")
       ->type_name("V2,V3,...");
+}
+
+CLI::Option* addChunk(CLI::App& app, int& side, const std::string& help) {
+  const Names<int> sides{{"64", 64}, {"128", 128}, {"none", 0}};
+  const std::function<void(int)> store = [&side](int chosen) { side = chosen; };
+  return addChoice(app, "--chunk", sides, store, help);
+}
+
+CLI::Option* addThreads(CLI::App& app) {
+  constexpr int kMost = 1024;
+  const std::function<void(int)> store = [](const int& count) {
+    useThreads(static_cast<unsigned>(count));
+  };
+  return app.add_option_function<int>("--threads", store, "Threads [default: one a processor]")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMost).description(""));
 }
 
 CLI::Option* addUnits(CLI::App& app, Units& value, const std::string& help) {

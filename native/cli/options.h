@@ -25,6 +25,11 @@ CLI::Option* addSampleType(CLI::App&, std::optional<SampleType>&, const std::str
 CLI::Option* addSize(CLI::App&, std::optional<ClaimedSize>&, const std::string& help);
 CLI::Option* addSpacing(CLI::App&, std::optional<std::array<double, 3>>&, const std::string& help);
 
+/// 64, 128 or none, which is 0.
+CLI::Option* addChunk(CLI::App&, int& side, const std::string& help);
+/// --threads; takes effect at once.
+CLI::Option* addThreads(CLI::App&);
+
 /// Rejects "nan" and "inf", which the parser accepts as numbers.
 extern const CLI::Validator kFinite;
 extern const CLI::Validator kPositive;

@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "files/failure.h"
 #include "files/text.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::native {
 
@@ -25,7 +26,7 @@ StreamInfo inspectStream(std::span<const std::byte> bytes, const std::string& pa
 
 Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) {
   ProgressBar bar("decoding");
-  Decoder decoder(nativeLimits());
+  Decoder decoder(nativeLimits(), parallelTasks());
   decoder.accept(bytes);
   decoder.finish();
   while (decoder.advance())
@@ -37,7 +38,7 @@ Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) 
 }
 
 bool isDamaged(std::span<const std::byte> bytes, size_t length) {
-  Decoder decoder(nativeLimits());
+  Decoder decoder(nativeLimits(), parallelTasks());
   decoder.accept(bytes);
   while (decoder.advance())
     if (decoder.bytes() >= length) return false;

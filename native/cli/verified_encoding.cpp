@@ -6,6 +6,7 @@
 #include "files/text.h"
 #include "measure/ribbon.h"
 #include "measure/surface_distance.h"
+#include "threads/parallel_tasks.h"
 #include "volume/placement.h"
 
 namespace isostar::native {
@@ -14,6 +15,7 @@ namespace {
 std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions options,
                                      const std::string& path) {
   ProgressBar bar("encoding");
+  options.runTasks = parallelTasks();
   options.progress = [&bar](double done) { bar.show(done); };
   std::vector<std::byte> stream;
   EncodeReport report;
@@ -32,7 +34,7 @@ std::vector<std::byte> encodeWithBar(const LoadedVolume& volume, EncodeOptions o
 
 /// The surface of a stream in the world; of an image, its contours as a ribbon of width 1.
 Mesh decodedSurface(const std::vector<std::byte>& stream, int dimension, const std::string& path) {
-  Decoder decoder(nativeLimits());
+  Decoder decoder(nativeLimits(), parallelTasks());
   decoder.accept(stream);
   decoder.finish();
   while (decoder.advance()) {

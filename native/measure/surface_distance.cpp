@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "measure/parallel_tasks.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::measure {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <mutex>
 
-#include "measure/parallel_tasks.h"
 #include "measure/triangle_tree.h"
 #include "model/inside_mask.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::native {
 namespace {
@@ -98,7 +98,7 @@ std::vector<float> distanceField(const Mesh& mesh, const SampleGrid& grid,
   const std::vector<Block> tasks = tasksOf(grid.size);
   std::mutex progressMutex;
   size_t done = 0;
-  measure::runInParallel(tasks.size(), [&](size_t task) {
+  runInParallel(tasks.size(), [&](size_t task) {
     uint32_t near = 0;
     Band(tree, grid, samples).fill(tasks[task], near);
     const std::lock_guard lock(progressMutex);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/parallel_tasks.h"
 #include "tetrahedra/extended_surface.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::native {
 namespace {
@@ -29,7 +29,7 @@ void replaceByDistances(const Mesh& isosurface, double isovalue, const SampleGri
   const ExtendedSurface surface(isosurface);
   const double step = grid.smallestStep(), unit = unitBeside(isovalue);
   const auto layer = size_t(grid.size[0]) * size_t(grid.size[1]);
-  measure::runInParallel(static_cast<size_t>(grid.size[2]), [&](size_t k) {
+  runInParallel(static_cast<size_t>(grid.size[2]), [&](size_t k) {
     uint32_t near = 0;
     size_t sample = k * layer;
     for (int j = 0; j < grid.size[1]; ++j) {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <mutex>
 
-#include "measure/parallel_tasks.h"
 #include "tetrahedra/inner_boundary.h"
 #include "tetrahedra/tetrahedron.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::native {
 namespace {
@@ -116,7 +116,7 @@ ResampledField resample(const TetrahedralField& field, const SampleGrid& grid,
   fillInside(field.mesh(), grid, out.samples);
   std::mutex progressMutex;
   int done = 0;
-  measure::runInParallel(static_cast<size_t>(grid.size[2]), [&](size_t k) {
+  runInParallel(static_cast<size_t>(grid.size[2]), [&](size_t k) {
     Nearest near;
     for (int j = 0; j < grid.size[1]; ++j)
       finishRow(field, ends, grid, j, static_cast<int>(k), out, near);

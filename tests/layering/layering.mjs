@@ -55,10 +55,10 @@ const STANDARD = new Set(
 /** Header-only libraries, and the one folder that may use each. */
 const LIBRARIES = { glm: 'surface' };
 
-/** Coders written for a comparison, in no stream: they may build on these folders. */
-const COMPARISON = {
-  folder: 'native/bench/figure6/',
-  parts: ['container', 'entropy', 'grid', 'bisection', 'coding/adaptive'],
+/** Coders written for a comparison, in no stream, and the folders that they may build on. */
+const COMPARISONS = {
+  'native/bench/chunks/': ['coding', 'decoder', 'grid', 'scalars'],
+  'native/bench/figure6/': ['container', 'entropy', 'grid', 'bisection', 'coding/adaptive'],
 };
 
 const folderOf = (path) => (path.startsWith('isostar/') ? 'api' : dirname(path));
@@ -77,10 +77,10 @@ function offenceInShared(path, { target, system }) {
 
 /** Outside shared/ the codec is its public header, and no other folder reaches into it. */
 function offenceOutside(path, { target }) {
-  const compares = path.startsWith(COMPARISON.folder);
+  const parts = COMPARISONS[Object.keys(COMPARISONS).find((folder) => path.startsWith(folder))];
   const part = folderOf(target);
   const isInternal = ARROWS[part] && part !== 'api';
-  if (isInternal && !(compares && COMPARISON.parts.includes(part)))
+  if (isInternal && !parts?.includes(part))
     return `may not include ${target}`;
   return /shared\/|src\//.test(target) ? `may not include ${target}` : null;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/parallel_tasks.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::bench {
 namespace {
@@ -38,7 +38,7 @@ std::vector<double> displacements(const DualSurface& dual, const measure::Triang
   constexpr size_t kVerticesPerTask = 1024;
   std::vector<double> all(dual.vertices());
   if (surface.size() == 0) return all;
-  measure::runInParallel((all.size() + kVerticesPerTask - 1) / kVerticesPerTask, [&](size_t task) {
+  runInParallel((all.size() + kVerticesPerTask - 1) / kVerticesPerTask, [&](size_t task) {
     for (size_t v = task * kVerticesPerTask;
          v < std::min(all.size(), (task + 1) * kVerticesPerTask); ++v)
       all[v] = displacement(surface, dual.position(v), dual.normal(v));

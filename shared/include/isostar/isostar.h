@@ -44,6 +44,12 @@ const char* name(Error);
 /// One English clause without a full stop. A string literal.
 const char* describe(Error);
 
+/// How a caller runs pieces of work that do not depend on each other: calls task(0) … task(count -
+/// 1), each once, in any order and on any threads, and returns when all have returned. Results do
+/// not depend on it. Empty: one after the other.
+using RunTasks =
+    std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
 /// Which surface is made of the scalars (§3). Cubes: one vertex per crossing axis edge, as in
 /// marching cubes (marching squares for images). Tetrahedra: one polygon per crossing tetrahedron
 /// of the RBMT (one segment per crossing triangle).
@@ -131,6 +137,15 @@ struct EncodeOptions {
   /// Writes a stream that does not hold the bound instead of none. Its header then states the bound
   /// that it holds. Not for a Volume with a domain.
   bool bestEffort = false;
+  /// The side, in cells, of the chunks into which each refinement level is divided, a power of two
+  /// from 16 on; 0: none. Chunks are decoded side by side, and smaller ones cost more bytes. By
+  /// default a surface with many vertices has chunks of 128. Has no effect where there are none:
+  /// with `preserveTopology` or `furtherIsovalues`, for an Image, a Sequence and a Volume with a
+  /// domain, and in adaptive streams.
+  int chunkSide = kAutomatic;
+  static constexpr int kAutomatic = -1, kLeastChunkSide = 16;
+  /// How to use several threads. Bytes do not depend on it.
+  RunTasks runTasks;
   /// Called now and then with a fraction 0 … 1, by the thread that called encode(). May be empty.
   std::function<void(double done)> progress;
 };
@@ -207,7 +222,7 @@ struct LayerInfo {
   int level = 0;
   /// The number of bytes from the start of the stream to the end of the layer.
   uint64_t offset = 0;
-  /// The layer's own bytes, without its head.
+  /// The layer's own bytes, with its checksums.
   uint64_t bytes = 0;
   /// The RMS distance to the source's surface after the layer, in grid steps, as measured by the
   /// encoder.
@@ -216,7 +231,7 @@ struct LayerInfo {
   int isovalue = 0;
 };
 
-/// What a stream's header and the heads of its layers say.
+/// What a stream's header says.
 struct StreamInfo {
   /// The version of the format, 1 … kFormatVersion.
   int version = 0;
@@ -242,7 +257,7 @@ struct StreamInfo {
   /// Vertices of the final surface of the first isovalue that Polygonizer::Cubes makes, before it
   /// is trimmed.
   uint64_t vertices = 0;
-  /// Bytes of the header and of the layers' heads in `layers`.
+  /// Bytes of the header with its index.
   uint64_t headerBytes = 0;
   /// Bytes of the whole stream; known as soon as the header has arrived.
   uint64_t bytes = 0;
@@ -261,9 +276,9 @@ struct StreamInfo {
 [[nodiscard]] Error encode(const Sequence&, const EncodeOptions&, std::vector<std::byte>& out,
                            EncodeReport* report = nullptr);
 
-/// Reads the header and the layers' heads of a stream or of a prefix of one, without decoding. Of a
-/// prefix, `out.layers` has the layers whose heads have arrived. Truncated: the header has not
-/// arrived. NotIsostar, UnsupportedVersion or Corrupt: as in Error. On an error `out` is unchanged.
+/// Reads the header of a stream or of a prefix of one, without decoding. `out.layers` has all
+/// layers, whether or not they have arrived. Truncated: the header has not arrived. NotIsostar,
+/// UnsupportedVersion or Corrupt: as in Error. On an error `out` is unchanged.
 [[nodiscard]] Error inspect(std::span<const std::byte>, StreamInfo& out);
 
 /// The surface of the source itself, as encode() sees it: the reference for distances, and what a
@@ -284,7 +299,8 @@ struct StreamInfo {
 /// to.
 class Decoder {
  public:
-  explicit Decoder(const Limits& = {});
+  /// `runTasks`: used within calls of this decoder's methods only.
+  explicit Decoder(const Limits& = {}, RunTasks runTasks = {});
   ~Decoder();
   Decoder(Decoder&&) noexcept;
   Decoder& operator=(Decoder&&) noexcept;

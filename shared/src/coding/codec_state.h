@@ -2,15 +2,11 @@
 #pragma once
 
 #include "coding/adaptive/adaptive_field.h"
-#include "coding/geometry/displacement_coder.h"
 #include "coding/geometry/domain_coder.h"
-#include "coding/geometry/exponent_coder.h"
-#include "coding/geometry/geometry_pass.h"
-#include "coding/geometry/magnitude_coder.h"
+#include "coding/geometry_state.h"
 #include "coding/isovalues/further_isovalues.h"
 #include "coding/signs/refinement_coder.h"
 #include "container/stream.h"
-#include "estimate/hints.h"
 #include "grid/refined_signs.h"
 #include "util/cold_path.h"
 
@@ -18,7 +14,11 @@ namespace isostar {
 
 /// All that encoder and decoder share, and the bit models that persist from layer to layer.
 template <int D>
-struct CodecState {
+struct CodecState : GeometryState<D> {
+  using GeometryState<D>::active;
+  using GeometryState<D>::displacements;
+  using GeometryState<D>::scalars;
+
   /// The header must outlive it.
   explicit CodecState(const Header& h) : header(h), signs(h.base<D>()), level(0) {}
 
@@ -84,6 +84,11 @@ struct CodecState {
       unfinishedFilter = shown;
       return;
     }
+    enterLevel(std::move(finer), shown);
+  }
+
+  /// Goes on to the next level, whose signs are all known.
+  void enterLevel(Signs<D> finer, SmoothingFilter shown) {
     signs = std::move(finer);
     filter = shown;
     displacements = {};
@@ -119,8 +124,12 @@ struct CodecState {
   ISOSTAR_COLD void keepUnfinished() {
     if (!refinement.began()) return;
     Signs<D> uncoded = refinement.uncoded(unfinished);
-    partial.emplace(std::move(signs), std::move(unfinished), std::move(uncoded));
-    partial->filter = unfinishedFilter;
+    keepUnfinished(std::move(unfinished), std::move(uncoded), unfinishedFilter);
+  }
+  /// `uncoded`: the new vertices near the surface whose signs in `finer` are not coded.
+  ISOSTAR_COLD void keepUnfinished(Signs<D> finer, Signs<D> uncoded, SmoothingFilter shown) {
+    partial.emplace(std::move(signs), std::move(finer), std::move(uncoded));
+    partial->filter = shown;
     partial->coarserFilter = filter;
     partial->coarserDisplacements = std::move(displacements);
     displacements = {};
@@ -150,19 +159,7 @@ struct CodecState {
   template <CodecExchange<D> Exchange>
   void geometry(Exchange& exchange, const GeometryPass<D>& pass) {
     if (active.empty()) findActive();
-    if (pass.kind == LayerKind::Displacement) {
-      if (displacements.tableSize() == 0) displacements = Displacements<D>(active.size());
-      displacing.code(exchange, signs, displacements, pass.displacement, active);
-      return;
-    }
-    if (scalars.tableSize() == 0) scalars = Scalars<D>(active.size());
-    if (pass.kind == LayerKind::Exponents) {
-      coded[static_cast<std::size_t>(pass.members)] = true;
-      exponents.code(exchange, signs, scalars, pass.members, pass.exponentRange, active, hints());
-    } else {
-      magnitudes.code(exchange, signs, scalars, pass.magnitudePass(header.fitted), active);
-      magnitudesRefined = magnitudesRefined || !exchange.exhausted();
-    }
+    this->codePass(exchange, signs, pass, filter, header.fitted, &exponents);
   }
 
   /// Codes the signs of a further isovalue; numbers start at 1.
@@ -229,16 +226,8 @@ struct CodecState {
   SmoothingFilter unfinishedFilter = SmoothingFilter::Narrow;
   std::array<BitModel, 2> filterModel;
   RefinementCoder<D> refinement;
-  std::vector<uint8_t> active;     // marks bricks of the last complete level; empty before its
-                                   // displacements, its scalars or the domain are coded
-  Displacements<D> displacements;  // of the last complete level
-  Scalars<D> scalars;
-  Scalars<D> domain;               // of a trimmed stream, as DomainCoder stores them
-  bool magnitudesRefined = false;  // has a magnitude refinement pass been coded?
-  std::array<bool, 2> coded{};     // by Members: have scalars been coded, at least some of them?
-  DisplacementCoder<D> displacing;
+  Scalars<D> domain;  // of a trimmed stream, as DomainCoder stores them
   ExponentCoder<D> exponents;
-  MagnitudeCoder<D> magnitudes;
   FurtherIsovalues<D> further;
 };
 

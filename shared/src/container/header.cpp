@@ -42,6 +42,18 @@ int Header::finestLevel() const {
   return finestLevel;
 }
 
+uint64_t Header::chunks(int level) const {
+  constexpr uint64_t kMany = 1u << 30;  // more than any stream may have
+  if (chunkSide == 0) return 1;
+  const int64_t side = int64_t{chunkSide} << (finestLevel() - level);
+  uint64_t total = 1;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    const int64_t count = std::max<int64_t>(1, (size[a] - 1 + side - 1) / side);
+    total = std::min(total * static_cast<uint64_t>(count), kMany);
+  }
+  return total;
+}
+
 int32_t Header::domainFineness() const {
   constexpr int32_t kCoarsest = 2, kFinest = 32;
   if (lossless) return kFinest;

@@ -34,7 +34,8 @@ struct Header {
   /// Samples are whole numbers of quantization steps, of 1 or of kByteStep. Otherwise the step is a
   /// power of two.
   bool whole = false;
-  uint64_t bytes = 0;  // of all layers with their heads
+  int32_t chunkSide = 0;  // cells of a chunk on an axis, a power of two, at least 16; 0: one chunk
+  uint64_t bytes = 0;     // of all that follows the header
 
   static constexpr int32_t kMostBaseCells = 4;  // of the base level, on an axis
   static constexpr double kByteStep = 1.0 / 255;
@@ -46,6 +47,8 @@ struct Header {
   /// The number of the finest level: as few refinements as the base's size limit allows lead from
   /// the base to the source's own grid.
   [[nodiscard]] int finestLevel() const;
+  /// How many chunks a level has.
+  [[nodiscard]] uint64_t chunks(int level) const;
   /// Steps per grid step in which distances to the domain's boundary are coded: 2 … 32, a power of
   /// two that follows from the bound.
   [[nodiscard]] int32_t domainFineness() const;

@@ -1,7 +1,8 @@
-// Reads and writes headers and layer heads, with their checksums.
+// Reads and writes headers, with their checksums.
 #include "container/stream.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "container/crc.h"
@@ -13,7 +14,7 @@ namespace {
 /// dimension.
 constexpr std::array<uint8_t, 3> kMagic{'i', 's', 'o'};
 constexpr uint32_t kBinary = 0x80;
-constexpr std::size_t kShort = 1024;  // layers with fewer bytes have checksums of 16 bits
+constexpr uint32_t kLeastLog2Side = 4, kMostLog2Side = 16;  // of a chunk, in cells
 enum Flag : uint32_t {
   kLossless = 1,
   kTetrahedra = 2,
@@ -27,25 +28,9 @@ enum Flag : uint32_t {
   kKeepsTopology = 512,
   kTrimmed = 1024,
   kFitted = 2048,
-  kKnownFlags = 4095
+  kChunked = 4096,
+  kKnownFlags = 8191
 };
-
-/// The layer's error on a scale of eight steps per factor of two: 0 is no error, 1 is 2^-20.
-uint32_t pack(double error) {
-  if (!(error > 0)) return 0;
-  return static_cast<uint32_t>(std::clamp(std::lround(8 * (std::log2(error) + 20)), 1L, 255L));
-}
-double unpack(uint32_t code) {
-  if (code == 0) return 0;
-  constexpr std::array<double, 8> kRoots{1,         1.0905077, 1.1892071, 1.2968396,
-                                         1.4142136, 1.5422108, 1.6817928, 1.8340081};
-  return std::ldexp(kRoots[code % 8], static_cast<int>(code / 8) - 20);
-}
-
-/// Kind and level of a layer in one byte.
-uint32_t packed(const LayerHead& head) {
-  return static_cast<uint32_t>(head.kind) << 5 | static_cast<uint32_t>(head.level);
-}
 
 /// For how many axes a stream stores spacing and origin.
 std::size_t placed(const Header& h) {
@@ -116,6 +101,9 @@ bool consistent(const Header& h, uint64_t flags) {
     return false;
   if (h.dimension == 2 && (flags & kDirection) != 0) return false;
   if (h.adaptive && (h.keepsTopology || !h.furtherIsovalues.empty())) return false;
+  if (h.chunkSide != 0 && (h.dimension != 3 || h.adaptive || h.keepsTopology || h.trimmed ||
+                           !h.furtherIsovalues.empty()))
+    return false;
   return !h.trimmed ||
          (h.dimension == 3 && !h.adaptive && !h.keepsTopology && h.furtherIsovalues.empty());
 }
@@ -126,18 +114,6 @@ uint32_t checksum(std::span<const std::byte> header) {
   Crc16 crc;
   crc.add(header);
   return crc.sum();
-}
-
-uint32_t checksum(const LayerHead& head, std::span<const std::byte> layer, std::size_t number) {
-  const auto sumOf = [&](auto crc) -> uint32_t {
-    crc.add(static_cast<uint8_t>(number));
-    crc.add(static_cast<uint8_t>(packed(head)));
-    crc.add(static_cast<uint8_t>(pack(head.error)));
-    for (int shift = 0; shift < 64; shift += 8) crc.add(static_cast<uint8_t>(head.bytes >> shift));
-    crc.add(layer);
-    return crc.sum();
-  };
-  return head.bytes < kShort ? sumOf(Crc16()) : sumOf(Crc32());
 }
 
 void write(ByteWriter& out, const Header& h) {
@@ -152,7 +128,7 @@ void write(ByteWriter& out, const Header& h) {
       (differ(origin, plain.origin, axes) ? kOrigin : 0u) | (turned ? kDirection : 0u) |
       (h.whole ? kWhole : 0u) | (h.whole && h.quantizationStep != 1 ? kByteSteps : 0u) |
       (h.furtherIsovalues.empty() ? 0u : kFurther) | (h.keepsTopology ? kKeepsTopology : 0u) |
-      (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u);
+      (h.trimmed ? kTrimmed : 0u) | (h.fitted ? kFitted : 0u) | (h.chunkSide != 0 ? kChunked : 0u);
   std::vector<std::byte> body;
   ByteWriter w(body);
   w.u8(kBinary | static_cast<uint32_t>(h.version) << 2 |
@@ -170,30 +146,13 @@ void write(ByteWriter& out, const Header& h) {
   for (std::size_t a = 0; (flags & kOrigin) != 0 && a < axes; ++a) w.real(origin[a]);
   if (turned)
     for (double v : direction) w.real(v);
+  if (h.chunkSide != 0)
+    w.u8(static_cast<uint64_t>(std::countr_zero(static_cast<uint32_t>(h.chunkSide))));
   w.varint(h.bytes);
   const uint32_t sum = checksum(body);
   for (uint8_t c : kMagic) out.u8(c);
   for (std::byte b : body) out.u8(static_cast<uint64_t>(b));
   out.u16(sum);
-}
-
-void write(ByteWriter& out, const LayerHead& head) {
-  out.u8(packed(head));
-  out.u8(pack(head.error));
-  out.varint(head.bytes);
-  if (head.bytes < kShort)
-    out.u16(head.checksum);
-  else
-    out.u32(head.checksum);
-}
-
-void append(std::vector<std::byte>& out, LayerHead head, std::span<const std::byte> layer,
-            std::size_t number) {
-  head.bytes = layer.size();
-  head.checksum = checksum(head, layer, number);
-  ByteWriter writer(out);
-  write(writer, head);
-  out.insert(out.end(), layer.begin(), layer.end());
 }
 
 Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
@@ -222,6 +181,11 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (!h.lossless) h.maxError = r.real();
   h.vertices = r.varint();
   readPlacement(r, flags, h);
+  if ((flags & kChunked) != 0) {
+    const uint32_t log2Side = r.u8();
+    sane = sane && log2Side >= kLeastLog2Side && log2Side <= kMostLog2Side;
+    h.chunkSide = sane ? int32_t{1} << log2Side : 0;
+  }
   h.bytes = r.varint();
   const std::size_t length = r.position();
   const uint32_t expected = r.u16();
@@ -231,27 +195,6 @@ Error read(std::span<const std::byte> in, Header& out, std::size_t& used) {
   if (!sane || !consistent(h, flags)) return Error::Corrupt;
   out = h;
   used = kMagic.size() + r.position();
-  return Error::None;
-}
-
-Error read(std::span<const std::byte> in, const Header& header, LayerHead& out, std::size_t& used) {
-  ByteReader r(in);
-  const uint32_t first = r.u8(), error = r.u8();
-  const uint64_t bytes = r.varint();
-  const uint32_t sum = bytes < kShort ? r.u16() : r.u32();
-  if (r.malformed()) return Error::Corrupt;
-  if (r.overrun()) return Error::Truncated;
-  const auto kind = static_cast<LayerKind>(first >> 5);
-  const uint32_t level = first & 31;
-  const bool numbered = level >= 1 && level <= header.furtherIsovalues.size();
-  if (traitsOf(kind).isFurther ? !numbered : level > static_cast<uint32_t>(header.finestLevel()))
-    return Error::Corrupt;
-  out = {.kind = kind,
-         .level = static_cast<int>(level),
-         .error = unpack(error),
-         .bytes = bytes,
-         .checksum = sum};
-  used = r.position();
   return Error::None;
 }
 

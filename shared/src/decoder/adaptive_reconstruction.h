@@ -16,12 +16,13 @@ namespace isostar {
 template <int D>
 class AdaptiveReconstruction : public Reconstruction {
  public:
-  AdaptiveReconstruction(const Header& header, const Limits& limits)
-      : header_(header), limits_(limits), field_(header.base<D>()) {}
+  AdaptiveReconstruction(const Header& header, const Limits& limits, const RunTasks& runTasks)
+      : header_(header), limits_(limits), runTasks_(runTasks), field_(header.base<D>()) {}
 
-  ISOSTAR_COLD Outcome decode(const LayerHead& head, std::span<const std::byte> bytes,
-                              bool torn) override {
+  ISOSTAR_COLD Outcome decode(const LayerHead& head, Sections sections, bool torn) override {
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
+    if (sections.empty()) return {};
+    const auto bytes = sections.front();
     if (torn && !traitsOf(head.kind).hasPass) return {};  // signs are shown only level by level
     LayerInput<D> input;
     if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;
@@ -83,13 +84,16 @@ class AdaptiveReconstruction : public Reconstruction {
     const double offset = 2 * header_.positiveOffset - 1;
     const Limits left{limits_.samples, limits_.vertices,
                       limits_.memory - std::min(held, limits_.memory), limits_.decisions};
-    return polygonize(
-        Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement}, options,
-        left, out);
+    const Surface<D> surface{adaptive->signs, adaptive->scalars, offset, offset, header_.placement};
+    if constexpr (D == 3)
+      return polygonize(surface, options, left, runTasks_, out);
+    else
+      return polygonize(surface, options, left, out);
   }
 
   const Header& header_;
   const Limits limits_;
+  const RunTasks& runTasks_;
   uint64_t work_ = 0;  // of all layers, as Limits::decisions counts it
   AdaptiveField<D> field_;
   bool based_ = false;

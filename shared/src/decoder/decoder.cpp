@@ -3,13 +3,15 @@
 #include <optional>
 
 #include "decoder/reconstruction.h"
+#include "decoder/stream_heads.h"
 #include "isostar/isostar.h"
 #include "util/cold_path.h"
 
 namespace isostar {
 namespace {
 
-StreamInfo describeHeader(const Header& h, std::size_t bytes) {
+StreamInfo describeHeader(const StreamHeads& heads) {
+  const Header& h = heads.header();
   StreamInfo info;
   info.version = h.version;
   info.dimension = h.dimension;
@@ -26,12 +28,12 @@ StreamInfo describeHeader(const Header& h, std::size_t bytes) {
   info.trimmed = h.trimmed;
   info.maxError = h.lossless ? 0 : h.maxError;
   info.vertices = h.vertices;
-  info.headerBytes = bytes;
-  info.bytes = bytes + h.bytes;
+  info.headerBytes = heads.start();
+  info.bytes = heads.end();
   return info;
 }
 
-/// Adds a layer whose own bytes begin at `start`.
+/// Adds a layer whose own bytes begin at `start`. `headBytes`: of its head, if it has one in front.
 void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std::size_t headBytes,
               std::size_t start) {
   const bool further = traitsOf(head.kind).isFurther;
@@ -40,34 +42,27 @@ void addLayer(StreamInfo& info, const Header& header, const LayerHead& head, std
                          start + head.bytes, head.bytes, head.error, further ? head.level : 0});
 }
 
-/// Reads the next layer's head. `arrived`: what has come of the rest of the stream; `left`: the
-/// length of the whole rest. Corrupt if head and layer do not fit into the rest.
-Error readHead(std::span<const std::byte> arrived, uint64_t left, const Header& header,
-               LayerHead& head, std::size_t& used) {
-  const Error error =
-      read(arrived.first(std::min<uint64_t>(arrived.size(), left)), header, head, used);
-  const bool whole = arrived.size() >= left;
-  if (error == Error::Truncated && whole) return Error::Corrupt;
-  return error == Error::None && head.bytes > left - used ? Error::Corrupt : error;
+uint32_t storedChecksum(std::span<const std::byte> bytes, std::size_t length) {
+  ByteReader reader(bytes);
+  return length == 2 ? reader.u16() : reader.u32();
 }
 
 }  // namespace
 
 Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
-  Header header;
-  std::size_t at = 0;
-  if (const Error error = read(stream, header, at); error != Error::None) return error;
-  StreamInfo info = describeHeader(header, at);
-  while (at < info.bytes && at < stream.size()) {
+  StreamHeads heads;
+  if (const Error error = heads.begin(stream); error != Error::None) return error;
+  std::size_t at = heads.start();
+  StreamInfo info = describeHeader(heads);
+  while (at < info.bytes && (at < stream.size() || heads.header().chunkSide != 0)) {
     LayerHead head;
     std::size_t used = 0;
-    const Error error = readHead(stream.subspan(at), info.bytes - at, header, head, used);
+    const Error error = heads.next(stream, at, info.layers.size(), head, used);
     if (error == Error::Truncated) break;
     if (error != Error::None) return error;
-    if (info.layers.size() == kMostLayers) return Error::Corrupt;
     at += used;
-    addLayer(info, header, head, used, at);
-    if (head.bytes > stream.size() - at) break;
+    addLayer(info, heads.header(), head, used, at);
+    if (heads.header().chunkSide == 0 && head.bytes > stream.size() - at) break;
     at += static_cast<std::size_t>(head.bytes);
   }
   out = std::move(info);
@@ -75,11 +70,12 @@ Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
 }
 
 struct Decoder::State {
-  explicit State(const Limits& l) : limits(l) {}
+  State(const Limits& l, RunTasks run) : limits(l), runTasks(std::move(run)) {}
 
   void accept(std::span<const std::byte> bytes);
   bool advance();
   bool readHeader();
+  bool findSections(const LayerHead& head, std::span<const std::byte> bytes);
   bool decodeTorn(const LayerHead& head, std::span<const std::byte> bytes);
   bool fail(Error e) {
     if (error == Error::None) error = e;
@@ -88,17 +84,21 @@ struct Decoder::State {
   /// Can a surface be made with these options?
   [[nodiscard]] Error shows(const MeshOptions& options) const {
     if (!reconstruction) return Error::Truncated;
-    return header->spans(options.isovalue.value_or(header->isovalue)) ? Error::None
-                                                                      : Error::BadArgument;
+    const Header& header = heads->header();
+    return header.spans(options.isovalue.value_or(header.isovalue)) ? Error::None
+                                                                    : Error::BadArgument;
   }
-  [[nodiscard]] bool isFinal() const { return header && at == info.bytes; }
+  [[nodiscard]] bool isFinal() const { return heads && at == info.bytes; }
 
   Limits limits;
+  RunTasks runTasks;
   std::vector<std::byte> in;
-  std::size_t at = 0;  // the end of what has been decoded
+  std::size_t at = 0;       // the end of what has been decoded
+  std::size_t nextTry = 0;  // with fewer bytes than this the header is not read again
+  std::vector<std::span<const std::byte>> sections;  // of the layer in work, as far as they arrived
   bool finished = false;
   Error error = Error::None;
-  std::optional<Header> header;
+  std::optional<StreamHeads> heads;  // once header and index have arrived
   StreamInfo info;
   bool tornShown = false;
   std::unique_ptr<Reconstruction> reconstruction;
@@ -110,7 +110,7 @@ struct Decoder::State {
 /// read.
 void Decoder::State::accept(std::span<const std::byte> bytes) {
   if (error != Error::None || finished) return;
-  if (header) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
+  if (heads) bytes = bytes.first(std::min<uint64_t>(bytes.size(), info.bytes - in.size()));
   if (bytes.size() > limits.memory - in.size())
     fail(Error::OverLimit);
   else
@@ -118,30 +118,56 @@ void Decoder::State::accept(std::span<const std::byte> bytes) {
 }
 
 ISOSTAR_COLD bool Decoder::State::readHeader() {
-  Header h;
-  std::size_t used = 0;
-  const Error e = read(in, h, used);
+  if (in.size() < nextTry && !finished) return false;
+  StreamHeads found;
+  const Error e = found.begin(in);
+  nextTry = in.size() + in.size() / 8 + 1;
   if (e == Error::Truncated && !finished) return false;
   if (e != Error::None) return fail(e);
   uint64_t samples = 1;
-  for (const int32_t n : h.size) {
+  for (const int32_t n : found.header().size) {
     samples *= static_cast<uint64_t>(n);
     if (samples > limits.samples) return fail(Error::OverLimit);
   }
-  if (h.vertices > limits.vertices) return fail(Error::OverLimit);
-  header = h;
-  info = describeHeader(h, used);
+  if (found.header().vertices > limits.vertices) return fail(Error::OverLimit);
+  heads = std::move(found);
+  info = describeHeader(*heads);
   in.resize(std::min<uint64_t>(in.size(), info.bytes));
-  at = used;
-  shown = used;
-  reconstruction = reconstructionOf(*header, limits);
+  at = heads->start();
+  shown = at;
+  reconstruction = reconstructionOf(heads->header(), limits, runTasks);
   return reconstruction != nullptr || fail(Error::UnsupportedVersion);
+}
+
+/// Finds the sections of a layer in its bytes, as far as these have arrived; the last one may be
+/// incomplete. False if one that is complete is damaged.
+bool Decoder::State::findSections(const LayerHead& head, std::span<const std::byte> bytes) {
+  sections.clear();
+  const std::size_t layer = info.layers.size();
+  if (head.sections.empty()) {
+    sections.push_back(bytes);
+    return bytes.size() < head.bytes || checksum(head, bytes, layer) == head.checksum;
+  }
+  for (std::size_t chunk = 0; chunk < head.sections.size(); ++chunk) {
+    const std::size_t length = static_cast<std::size_t>(head.sections[chunk]),
+                      sum = checksumBytes(length);
+    if (bytes.size() < sum) break;
+    const auto section = bytes.subspan(sum, std::min(length, bytes.size() - sum));
+    sections.push_back(section);
+    if (section.size() < length) break;
+    if (length != 0 &&
+        storedChecksum(bytes, sum) != checksum(heads->identity(), layer, chunk, section))
+      return false;
+    bytes = bytes.subspan(sum + length);
+  }
+  return true;
 }
 
 /// Decodes a layer whose last bytes are missing: the surface may be better for what is left.
 bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte> bytes) {
   tornShown = true;
-  const auto [e, better] = reconstruction->decode(head, bytes, true);
+  if (!findSections(head, bytes)) return fail(Error::Corrupt);
+  const auto [e, better] = reconstruction->decode(head, sections, true);
   if (better) shown = in.size();
   fail(e == Error::None ? Error::Truncated : e);
   return better;
@@ -149,29 +175,29 @@ bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte
 
 ISOSTAR_COLD bool Decoder::State::advance() {
   if (error != Error::None || tornShown) return false;
-  if (!header && !readHeader()) return false;
+  if (!heads && !readHeader()) return false;
   if (isFinal()) return false;
   LayerHead head;
   std::size_t used = 0;
-  const std::span<const std::byte> rest = std::span<const std::byte>(in).subspan(at);
-  const Error e = readHead(rest, info.bytes - at, *header, head, used);
+  const Error e = heads->next(in, at, info.layers.size(), head, used);
   if (e != Error::None) return e == Error::Truncated && !finished ? false : fail(e);
-  if (info.layers.size() == kMostLayers) return fail(Error::Corrupt);
-  const auto bytes = rest.subspan(used);
-  if (bytes.size() < head.bytes) return finished && decodeTorn(head, bytes);
-  const auto layer = bytes.first(static_cast<std::size_t>(head.bytes));
-  if (checksum(head, layer, info.layers.size()) != head.checksum) return fail(Error::Corrupt);
-  if (const auto outcome = reconstruction->decode(head, layer, false); outcome.error != Error::None)
+  const auto rest = std::span<const std::byte>(in).subspan(at + used);
+  if (rest.size() < head.bytes) return finished && decodeTorn(head, rest);
+  if (!findSections(head, rest.first(static_cast<std::size_t>(head.bytes))))
+    return fail(Error::Corrupt);
+  if (const auto outcome = reconstruction->decode(head, sections, false);
+      outcome.error != Error::None)
     return fail(outcome.error);
   at += used;
-  addLayer(info, *header, head, used, at);
+  addLayer(info, heads->header(), head, used, at);
   at += static_cast<std::size_t>(head.bytes);
   shown = at;
   rms = head.error;
   return true;
 }
 
-Decoder::Decoder(const Limits& limits) : state_(std::make_unique<State>(limits)) {}
+Decoder::Decoder(const Limits& limits, RunTasks runTasks)
+    : state_(std::make_unique<State>(limits, std::move(runTasks))) {}
 Decoder::~Decoder() = default;
 Decoder::Decoder(Decoder&&) noexcept = default;
 Decoder& Decoder::operator=(Decoder&&) noexcept = default;
@@ -198,7 +224,7 @@ int Decoder::level() const {
   return state_->reconstruction ? state_->reconstruction->level() : -1;
 }
 int Decoder::levels() const {
-  return state_->header ? state_->header->finestLevel() + 1 : 0;
+  return state_->heads ? state_->heads->header().finestLevel() + 1 : 0;
 }
 uint64_t Decoder::bytes() const {
   return state_->shown;

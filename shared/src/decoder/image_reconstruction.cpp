@@ -5,9 +5,10 @@
 namespace isostar {
 
 template <>
-std::unique_ptr<Reconstruction> reconstructionIn<2>(const Header& header, const Limits& limits) {
-  if (header.adaptive) return std::make_unique<AdaptiveReconstruction<2>>(header, limits);
-  return std::make_unique<UniformReconstruction<2>>(header, limits);
+std::unique_ptr<Reconstruction> reconstructionIn<2>(const Header& header, const Limits& limits,
+                                                    const RunTasks& runTasks) {
+  if (header.adaptive) return std::make_unique<AdaptiveReconstruction<2>>(header, limits, runTasks);
+  return std::make_unique<UniformReconstruction<2>>(header, limits, runTasks);
 }
 
 }  // namespace isostar

@@ -16,8 +16,11 @@ class Reconstruction {
     Error error = Error::None;
     bool better = false;
   };
-  /// `torn`: the last bytes of the layer are missing; no layer may follow.
-  virtual Outcome decode(const LayerHead& head, std::span<const std::byte> layer, bool torn) = 0;
+  /// The sections of a layer, by chunk.
+  using Sections = std::span<const std::span<const std::byte>>;
+  /// `torn`: the last bytes of the layer are missing; no layer may follow. Then there may be fewer
+  /// sections than the head names, and the last one may be incomplete.
+  virtual Outcome decode(const LayerHead& head, Sections sections, bool torn) = 0;
 
   /// The finest level that is complete, -1 before the first.
   [[nodiscard]] virtual int level() const = 0;
@@ -27,20 +30,22 @@ class Reconstruction {
   virtual Error show(const MeshOptions& options, Contours& out) const = 0;
 };
 
-/// `header` must be within the limits and outlive the result. Null if this build does not support
-/// the header's dimension.
+/// `header` must be within the limits; it and `runTasks` must outlive the result. Null if this
+/// build does not support the header's dimension.
 [[nodiscard]] std::unique_ptr<Reconstruction> reconstructionOf(const Header& header,
-                                                               const Limits& limits);
+                                                               const Limits& limits,
+                                                               const RunTasks& runTasks);
 
 /// The same for one dimension; each is compiled in a file of its own.
 template <int D>
 [[nodiscard]] std::unique_ptr<Reconstruction> reconstructionIn(const Header& header,
-                                                               const Limits& limits);
+                                                               const Limits& limits,
+                                                               const RunTasks& runTasks);
 template <>
-std::unique_ptr<Reconstruction> reconstructionIn<2>(const Header&, const Limits&);
+std::unique_ptr<Reconstruction> reconstructionIn<2>(const Header&, const Limits&, const RunTasks&);
 template <>
-std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header&, const Limits&);
+std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header&, const Limits&, const RunTasks&);
 template <>
-std::unique_ptr<Reconstruction> reconstructionIn<4>(const Header&, const Limits&);
+std::unique_ptr<Reconstruction> reconstructionIn<4>(const Header&, const Limits&, const RunTasks&);
 
 }  // namespace isostar

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 
-#include "coding/codec_state.h"
 #include "decoder/between.h"
-#include "decoder/layer_input.h"
-#include "decoder/reconstruction.h"
+#include "decoder/chunk_decoder.h"
 #include "estimate/completion.h"
 #include "surface/contour.h"
 #include "surface/polygonizer.h"
@@ -18,12 +16,14 @@ namespace isostar {
 template <int D>
 class UniformReconstruction : public Reconstruction {
  public:
-  UniformReconstruction(const Header& header, const Limits& limits)
-      : header_(header), limits_(limits), state_(header) {}
+  UniformReconstruction(const Header& header, const Limits& limits, const RunTasks& runTasks)
+      : header_(header), limits_(limits), runTasks_(runTasks), state_(header), chunks_(runTasks) {}
 
-  ISOSTAR_COLD Outcome decode(const LayerHead& head, std::span<const std::byte> bytes,
-                              bool torn) override {
+  ISOSTAR_COLD Outcome decode(const LayerHead& head, Sections sections, bool torn) override {
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
+    if (head.sections.size() > 1) return decodeChunks(head, sections, torn);
+    if (sections.empty()) return {};
+    const auto bytes = sections.front();
     if (torn && !showsTorn(head, bytes.size())) return {};
     LayerInput<D> input;
     if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;
@@ -58,14 +58,14 @@ class UniformReconstruction : public Reconstruction {
       if (!based_) return Error::None;
       return withSurface(options, [&](const Surface<D>& surface, uint64_t held) {
         if constexpr (D == 3) {
-          return polygonize(surface, options, left(held), out);
+          return polygonize(surface, options, left(held), runTasks_, out);
         } else {
           held += memoryToSlice(surface);
           if (held > limits_.memory) return Error::OverLimit;
           const TimeSlice slice = sliceAt(surface, options.time);
           return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset,
                                        slice.negativeOffset, header_.placement},
-                            options, left(held), out);
+                            options, left(held), runTasks_, out);
         }
       });
     }
@@ -84,6 +84,16 @@ class UniformReconstruction : public Reconstruction {
   }
 
  private:
+  ISOSTAR_COLD Outcome decodeChunks(const LayerHead& head, Sections sections, bool torn) {
+    const uint64_t held = state_.memory() + chunks_.memory();
+    typename ChunkDecoder<D>::Budget budget{limits_.memory - std::min(held, limits_.memory),
+                                            limits_.decisions - work_};
+    const Outcome outcome = chunks_.decode(head, sections, torn, state_, budget);
+    work_ = limits_.decisions - budget.decisions;
+    torn_ = torn || outcome.error != Error::None;
+    return outcome;
+  }
+
   /// The base comes first, then each level, with displacements after any of them; then the domain;
   /// then geometry on the finest level; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
@@ -145,7 +155,7 @@ class UniformReconstruction : public Reconstruction {
   template <class Make>
   Error withSurface(const MeshOptions& options, Make make) const {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
-    const uint64_t held = state_.memory() + state_.further.memory();
+    const uint64_t held = state_.memory() + state_.further.memory() + chunks_.memory();
     if (const FurtherSurface<D>* further = state_.further.find(isovalue)) {
       return withCompleted(
           {further->signs, further->active, further->scalars, further->coded, {state_.filter}},
@@ -232,8 +242,10 @@ class UniformReconstruction : public Reconstruction {
 
   const Header& header_;
   const Limits limits_;
+  const RunTasks& runTasks_;
   uint64_t work_ = 0;  // of all layers, as Limits::decisions counts it
   CodecState<D> state_;
+  ChunkDecoder<D> chunks_;
   bool based_ = false, trims_ = false, torn_ = false;
 };
 

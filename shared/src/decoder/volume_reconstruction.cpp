@@ -5,9 +5,10 @@
 namespace isostar {
 
 template <>
-std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header& header, const Limits& limits) {
-  if (header.adaptive) return std::make_unique<AdaptiveReconstruction<3>>(header, limits);
-  return std::make_unique<UniformReconstruction<3>>(header, limits);
+std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header& header, const Limits& limits,
+                                                    const RunTasks& runTasks) {
+  if (header.adaptive) return std::make_unique<AdaptiveReconstruction<3>>(header, limits, runTasks);
+  return std::make_unique<UniformReconstruction<3>>(header, limits, runTasks);
 }
 
 }  // namespace isostar

@@ -4,8 +4,9 @@
 
 namespace isostar {
 
-std::unique_ptr<Reconstruction> reconstructionOf(const Header& header, const Limits& limits) {
-  return header.dimension == 3 ? reconstructionIn<3>(header, limits) : nullptr;
+std::unique_ptr<Reconstruction> reconstructionOf(const Header& header, const Limits& limits,
+                                                 const RunTasks& runTasks) {
+  return header.dimension == 3 ? reconstructionIn<3>(header, limits, runTasks) : nullptr;
 }
 
 }  // namespace isostar

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -42,20 +43,33 @@ inline bool distinct(const EncodeOptions& options) {
   return std::adjacent_find(all.begin(), all.end()) == all.end();
 }
 
-inline Error put(Header& header, const std::vector<std::byte>& layers, const EncodeOptions& options,
+inline Error put(const Header& header, const CodedLayers& layers, const EncodeOptions& options,
                  std::vector<std::byte>& out) {
-  header.bytes = layers.size();
-  ByteWriter writer(out);
-  write(writer, header);
-  out.insert(out.end(), layers.begin(), layers.end());
+  layers.write(header, out);
   if (options.progress) options.progress(1);
   return Error::None;
+}
+
+/// The side of chunks, or 0. A surface with few vertices is one chunk: each chunk learns anew.
+template <int D>
+[[nodiscard]] int32_t chunkSideOf(const Header& header, const EncodeOptions& options) {
+  constexpr uint64_t kFewestVertices = 200000;
+  constexpr int32_t kSide = 128;
+  const bool divisible =
+      D == 3 && !header.keepsTopology && !header.trimmed && header.furtherIsovalues.empty();
+  if (!divisible) return 0;
+  if (options.chunkSide != EncodeOptions::kAutomatic) return options.chunkSide;
+  return header.vertices < kFewestVertices ? 0 : kSide;
 }
 
 /// Are source and options valid, and can they be combined? `domain`: empty if it is the whole box.
 template <int D>
 bool valid(std::span<const float> samples, std::span<const float> domain,
            const Coordinates<D>& size, const Header& header, const EncodeOptions& options) {
+  if (options.chunkSide != EncodeOptions::kAutomatic && options.chunkSide != 0 &&
+      (options.chunkSide < EncodeOptions::kLeastChunkSide ||
+       !std::has_single_bit(static_cast<uint32_t>(options.chunkSide))))
+    return false;
   if (options.effort < 1 || options.effort > EncodeOptions::kMostEffort) return false;
   const bool bounded =
       options.lossless || (options.maxError > 0 && std::isfinite(options.maxError));
@@ -116,20 +130,21 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   if (header.trimmed) end.emplace(domain, size, 0);
   for (Source<D>& source : sources) source.measureIn(header, end ? &*end : nullptr);
   Header adaptiveHeader = header;
-  std::vector<std::byte> adaptive;
+  CodedLayers adaptive;
   if constexpr (D < 4) {
     if (options.adaptive && !options.preserveTopology && !header.trimmed && header.vertices != 0) {
       adaptiveHeader.adaptive = true;
       if (!encodeAdaptive(sources.front().field(), options, sources.front().signs(), adaptiveHeader,
                           adaptive))
-        adaptive.clear();
+        adaptive = {};
     }
   }
+  header.chunkSide = chunkSideOf<D>(header, options);
   UniformWriter<D> layers(header, options, sources.front());
   const double largest = codeUniform(layers, header, sources);
   // Coarse simplices are used only if they are worth their bytes.
   if (report != nullptr) *report = {.maxError = boundOf(header)};
-  if (!adaptive.empty() && adaptive.size() < layers.bytes().size())
+  if (adaptive.bytes() != 0 && adaptive.bytes() < layers.coded().bytes())
     return put(adaptiveHeader, adaptive, options, out);
   const bool holds = largest <= boundOf(header);
   if (report != nullptr) *report = {.maxError = largest, .holds = holds};
@@ -137,7 +152,7 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   if (!holds && (!options.bestEffort || header.trimmed)) return Error::BadArgument;
   if (!holds) header.lossless = false;
   if (!header.lossless && !header.trimmed) header.maxError = std::max(header.maxError, largest);
-  return put(header, layers.bytes(), options, out);
+  return put(header, layers.coded(), options, out);
 }
 
 }  // namespace isostar

@@ -3,12 +3,14 @@
 
 #include <limits>
 
-#include "coding/codec_state.h"
+#include "coding/chunked_level.h"
+#include "encoder/core/chunk_field.h"
+#include "encoder/core/coded_layers.h"
 #include "encoder/core/displacement_plan.h"
-#include "encoder/core/layer_bytes.h"
 #include "encoder/core/source.h"
 #include "encoder/topology/encode_topology.h"
 #include "isostar/isostar.h"
+#include "util/run_all.h"
 
 namespace isostar {
 
@@ -40,9 +42,10 @@ class UniformWriter {
           level < finestLevel_ ? coarse[static_cast<std::size_t>(level)] : finest;
       const LayerHead head{.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement,
                            .level = level};
+      filter_ = filterOf(level, filter);
       code(head, actual, {}, [&](auto& exchange) {
         exchange.setLevels(coarse, whole);
-        exchange.setFilter(filterOf(level, filter));
+        exchange.setFilter(filter_);
       });
       if (!state_.partial) after(level);
       if (options_.progress) options_.progress(0.5 * (level + 1) / (finestLevel_ + 1));
@@ -97,23 +100,64 @@ class UniformWriter {
   }
   [[nodiscard]] const Displacements<D>& displacements() const { return state_.displacements; }
 
-  [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
+  [[nodiscard]] const CodedLayers& coded() const { return layers_; }
 
  private:
   /// prepare(exchange) gives the exchange what a layer needs beside signs and scalars.
   template <class Prepare>
-  void code(const LayerHead& head, const Signs<D>& actual, const GeometryPass<D>& pass,
-            Prepare prepare) {
-    layers_.add(
-        head, pass, actual, source_->quantized(),
-        [&](auto& exchange) {
-          prepare(exchange);
-          state_.code(exchange, head, pass);
-        },
-        [&] { return rms(); });
+  void code(LayerHead head, const Signs<D>& actual, const GeometryPass<D>& pass, Prepare prepare) {
+    LayerSections sections(1);
+    if (state_.header.chunks(traitsOf(head.kind).isFurther ? 0 : head.level) > 1)
+      sections = chunkSections(head, actual, pass);
+    else
+      sections[0] =
+          codedSection(head.kind, pass, actual, source_->quantized(), [&](auto& exchange) {
+            prepare(exchange);
+            state_.code(exchange, head, pass);
+          });
+    head.error = rms();
+    layers_.add(std::move(head), std::move(sections));
   }
   void code(const LayerHead& head, const Signs<D>& actual, const GeometryPass<D>& pass = {}) {
     code(head, actual, pass, [](auto&) {});
+  }
+
+  /// Codes a refinement or a pass chunk by chunk.
+  LayerSections chunkSections(LayerHead& head, const Signs<D>& actual,
+                              const GeometryPass<D>& pass) {
+    const bool refines = head.kind == LayerKind::Refinement;
+    auto chunks = refines ? ChunkedLevel<D>::next(state_) : typename ChunkedLevel<D>::Chunks();
+    auto& coded = refines ? chunks : level_.chunks();
+    LayerSections sections(coded.size());
+    runAll(options_.runTasks, coded.size(), [&](std::size_t i) {
+      sections[i] = refines ? signSection(coded[i], actual) : passSection(coded[i], i, pass);
+    });
+    if (refines) {
+      head.filter = static_cast<uint8_t>(filter_);
+      level_.finishLevel(std::move(chunks), filter_, state_);
+    } else {
+      level_.finishPass(pass, true, state_);
+    }
+    return sections;
+  }
+  /// Empty if the chunk has no surface: its signs are those of the level before.
+  std::vector<std::byte> signSection(ChunkState<D>& chunk, const Signs<D>& actual) const {
+    const Signs<D> own = cropped(actual, chunk.signs().lattice(), chunk.indices());
+    if (chunk.isWithoutSurface(own)) return {};
+    RefinementCoder<D> coder = state_.refinement;
+    return codedSection(LayerKind::Refinement, GeometryPass<D>{}, own, source_->quantized(),
+                        [&](auto& exchange) { chunk.codeSigns(exchange, coder); });
+  }
+  /// Empty if the chunk has no surface.
+  std::vector<std::byte> passSection(ChunkState<D>& chunk, std::size_t number,
+                                     const GeometryPass<D>& pass) const {
+    if (!chunk.hasGeometry()) return {};
+    const ChunkGrid<D> grid(state_.signs.lattice(), state_.header.chunkSide);
+    const ChunkField<D> field(source_->field(), state_.header, source_->quantized(),
+                              grid.chunk(number), chunk);
+    return codedSection(pass.kind, pass, chunk.signs(), field, [&](auto& exchange) {
+      chunk.codePass(exchange, pass, state_.filter, state_.header.fitted);
+    });
   }
 
   /// May a pass code values other than the actual ones? Not if it repairs, if a later pass refines
@@ -178,7 +222,9 @@ class UniformWriter {
   int number_ = 0;  // of the current isovalue
   Source<D>* source_;
   CodecState<D> state_;
-  LayerBytes layers_;
+  ChunkedLevel<D> level_;
+  SmoothingFilter filter_ = SmoothingFilter::Middle;  // of the level in work
+  CodedLayers layers_;
 };
 
 }  // namespace isostar

@@ -38,6 +38,12 @@ class SparseBricks {
     }
     return bricks_[at_[brickIndex]];
   }
+  /// Makes the brick at an index that has none one of another table's, which must outlive its use
+  /// here. Both see changes.
+  void refer(std::size_t brickIndex, Brick& brick) {
+    at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
+    bricks_.refer(brick);
+  }
   /// Calls visit(brick) for each brick, nothing() included.
   template <class Visit>
   void forEachBrick(Visit visit) {

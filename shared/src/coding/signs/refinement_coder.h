@@ -21,9 +21,11 @@ class RefinementCoder {
   /// slab behind the previous one, so that all signs it depends on are coded. If the stream ends
   /// early, everything before a few bricks is then known. For an adaptive mesh `absent` is the set
   /// of absent vertices: the first bisection codes which crossing cells are kept, and a vertex with
-  /// an absent one in its diamond is absent too, so that the mesh conforms.
+  /// an absent one in its diamond is absent too, so that the mesh conforms. `foreign`: marks, by
+  /// brick index, bricks that are not coded; they keep the signs that they have.
   template <SignExchange Exchange>
-  void code(Exchange& exchange, Signs<D>& signs, Signs<D>* absent = nullptr) {
+  void code(Exchange& exchange, Signs<D>& signs, Signs<D>* absent = nullptr,
+            const std::vector<uint8_t>* foreign = nullptr) {
     absent_ = absent;
     active_ = activeBricks(signs);
     if (absent != nullptr) {
@@ -31,6 +33,8 @@ class RefinementCoder {
       for (std::size_t brickIndex = 0; brickIndex < besideAbsent.size(); ++brickIndex)
         active_[brickIndex] |= besideAbsent[brickIndex];
     }
+    for (std::size_t i = 0; foreign != nullptr && i < active_.size(); ++i)
+      active_[i] = (*foreign)[i] != 0 ? kForeign : active_[i];
     coded_.fill(0);
     const auto slabs = static_cast<std::size_t>(signs.table().count(D - 1));
     for (std::size_t step = 0; step < slabs + D - 1; ++step) {
@@ -49,11 +53,22 @@ class RefinementCoder {
   [[nodiscard]] ISOSTAR_COLD Signs<D> uncoded(const Signs<D>& signs) const {
     Signs<D> result(signs.lattice());
     for (std::size_t brickIndex = 0; brickIndex < active_.size(); ++brickIndex) {
-      if (active_[brickIndex] == 0) continue;
+      if (active_[brickIndex] != kActive) continue;
       forEachNew(signs.lattice(), signs.table().brick(brickIndex),
                  [&](const Coordinates<D>& v, std::size_t newAxisCount) {
                    if (brickIndex >= coded_[newAxisCount]) result.set(v, true);
                  });
+    }
+    return result;
+  }
+  /// The new vertices of marked bricks.
+  [[nodiscard]] ISOSTAR_COLD static Signs<D> newVertices(const Signs<D>& signs,
+                                                         const std::vector<uint8_t>& marks) {
+    Signs<D> result(signs.lattice());
+    for (std::size_t brickIndex = 0; brickIndex < marks.size(); ++brickIndex) {
+      if (marks[brickIndex] != 0)
+        forEachNew(signs.lattice(), signs.table().brick(brickIndex),
+                   [&](const Coordinates<D>& v, std::size_t) { result.set(v, true); });
     }
     return result;
   }
@@ -69,6 +84,7 @@ class RefinementCoder {
   }
 
  private:
+  static constexpr uint8_t kActive = 1, kForeign = 2;  // in active_; all others are quiet
   static constexpr std::size_t kGroup = 64;  // consecutive bricks whose quiet ones share a flag
 
   /// One bisection of a slab: codes the vertices with `newAxisCount` new axes.
@@ -80,7 +96,7 @@ class RefinementCoder {
     for (std::size_t brickIndex = begin;
          brickIndex < end && exchange.charge(signs.memory() + memory()); ++brickIndex) {
       coded = brickIndex;
-      if (active_[brickIndex] != 0) brick(exchange, signs, brickIndex, newAxisCount);
+      if (active_[brickIndex] == kActive) brick(exchange, signs, brickIndex, newAxisCount);
     }
     // Otherwise the last brick's signs may be noise.
     if (exchange.charge(signs.memory() + memory())) coded = end;
@@ -158,7 +174,7 @@ class RefinementCoder {
   }
 
   Signs<D>* absent_ = nullptr;   // null: no vertex is absent
-  std::vector<uint8_t> active_;  // of the current level, as of activeBricks()
+  std::vector<uint8_t> active_;  // of the current level, as of activeBricks(), or kForeign
   std::vector<std::size_t> changedBricks_, bricksWithAbsent_;  // in this bisection of this slab
   /// By number of new axes: the index before which all bricks are coded.
   std::array<std::size_t, D + 1> coded_{};

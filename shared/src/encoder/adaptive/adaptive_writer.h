@@ -4,7 +4,7 @@
 #include "coding/adaptive/adaptive_field.h"
 #include "encoder/adaptive/adaptive_distance.h"
 #include "encoder/adaptive/planned_field.h"
-#include "encoder/core/layer_bytes.h"
+#include "encoder/core/coded_layers.h"
 #include "encoder/core/source_distance.h"
 
 namespace isostar {
@@ -52,19 +52,18 @@ class AdaptiveWriter {
   }
 
   [[nodiscard]] const AdaptiveField<D>& decoded() const { return decoded_; }
-  [[nodiscard]] const std::vector<std::byte>& bytes() const { return layers_.bytes(); }
+  [[nodiscard]] CodedLayers& layers() { return layers_; }
 
  private:
   /// prepare(exchange) gives the exchange what a layer needs beside signs and scalars.
   template <class Prepare>
   void code(const GeometryPass<D>& pass, int level, const Signs<D>& actual, Prepare prepare) {
-    layers_.add(
-        {.kind = pass.kind, .level = level}, pass, actual, planned_,
-        [&](auto& exchange) {
-          prepare(exchange);
-          decoded_.code(exchange, pass, header_);
-        },
-        [&] { return writesErrors_ ? error() : 0; });
+    auto section = codedSection(pass.kind, pass, actual, planned_, [&](auto& exchange) {
+      prepare(exchange);
+      decoded_.code(exchange, pass, header_);
+    });
+    layers_.add({.kind = pass.kind, .level = level, .error = writesErrors_ ? error() : 0},
+                {std::move(section)});
   }
   void code(const GeometryPass<D>& pass, int level, const Signs<D>& actual) {
     code(pass, level, actual, [](auto&) {});
@@ -94,7 +93,7 @@ class AdaptiveWriter {
   const bool writesErrors_;              // into the layers' heads; attempts do not need it
   PlannedField<D> planned_;
   AdaptiveField<D> decoded_;
-  LayerBytes layers_;
+  CodedLayers layers_;
 };
 
 }  // namespace isostar

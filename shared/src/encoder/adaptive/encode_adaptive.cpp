@@ -35,7 +35,7 @@ std::vector<Signs<D>> signsByLevel(const Signs<D>& finest, int finestLevel) {
 
 template <int D>
 bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, const Signs<D>& finest,
-                    Header& header, std::vector<std::byte>& layers) {
+                    Header& header, CodedLayers& layers) {
   constexpr int kTries = 14;
   // Distances are estimated to first order: exact ones were up to 1.13 times as large.
   constexpr double kFirstOrder = 1.15;
@@ -71,15 +71,15 @@ bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options, con
   AdaptiveWriter<D> writer(plan, field, header, distance, actual, true);
   writer.signs();
   writer.geometry(quantized);
-  layers = writer.bytes();
+  layers = std::move(writer.layers());
   const auto& decoded = writer.decoded().at(plan.finestLevel());
   header.vertices = countCrossings(decoded.signs, decoded.active);
   return true;
 }
 
 template bool encodeAdaptive<2>(const GridField<2>&, const EncodeOptions&, const Signs<2>&, Header&,
-                                std::vector<std::byte>&);
+                                CodedLayers&);
 template bool encodeAdaptive<3>(const GridField<3>&, const EncodeOptions&, const Signs<3>&, Header&,
-                                std::vector<std::byte>&);
+                                CodedLayers&);
 
 }  // namespace isostar

@@ -1,6 +1,7 @@
 // Encodes adaptive streams (§5.1, §5.2): coarse simplices where they keep the bound.
 #pragma once
 
+#include "encoder/core/coded_layers.h"
 #include "encoder/core/field.h"
 #include "isostar/isostar.h"
 
@@ -11,7 +12,6 @@ namespace isostar {
 /// measured surface keeps the bound; false if no plan does.
 template <int D>
 [[nodiscard]] bool encodeAdaptive(const GridField<D>& field, const EncodeOptions& options,
-                                  const Signs<D>& finest, Header& header,
-                                  std::vector<std::byte>& layers);
+                                  const Signs<D>& finest, Header& header, CodedLayers& layers);
 
 }  // namespace isostar

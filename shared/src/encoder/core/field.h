@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "container/header.h"
+#include "grid/chunk.h"
 #include "grid/signs.h"
 #include "isostar/isostar.h"
 #include "scalars/scalars.h"
@@ -73,6 +74,20 @@ class GridField {
     }
     const double at = scalar(low) / (scalar(low) - scalar(high));
     return (low[axis] - from[axis] + at * (high[axis] - low[axis])) / (to[axis] - from[axis]);
+  }
+
+  /// The samples of a chunk of the finest level; brick indices are then the chunk's own. The view
+  /// ends where the chunk's lattice does.
+  [[nodiscard]] GridField viewOf(const Chunk<D>& chunk) const {
+    GridField view = *this;
+    std::size_t first = 0;
+    for (int a = 0; a < D; ++a)
+      first += static_cast<std::size_t>(chunk.origin[a] * kBrickSide) * stride_[a];
+    view.samples_ = samples_.subspan(first);
+    view.last_ = chunk.lattice.last;
+    view.table_ = BrickTable<D>(chunk.lattice);
+    view.lastBrick_ = SIZE_MAX;
+    return view;
   }
 
   /// The signs of the finest level, of all samples. coarsened() gives those of other levels.

@@ -33,6 +33,7 @@ class QuantizedField {
   void select(std::vector<uint8_t> marked) { selected_ = std::move(marked); }
   /// May values other than the actual ones be coded from now on?
   void setRdoq(bool on) { rdoq_ = on; }
+  [[nodiscard]] bool usesRdoq() const { return rdoq_; }
   /// Sets the displacements to code in the next pass, in its steps.
   void displace(Displacements<D> steps) { displacements_ = std::move(steps); }
   [[nodiscard]] uint32_t magnitude(std::size_t brickIndex, std::size_t r, int x) const {

@@ -1,0 +1,159 @@
+// One chunk of a level: its signs, displacements and scalars, coded without its neighbours.
+#pragma once
+
+#include <memory>
+
+#include "coding/geometry_state.h"
+#include "coding/signs/refinement_coder.h"
+#include "grid/chunk.h"
+
+namespace isostar {
+
+/// Contexts see the coarser level's signs beyond the chunk, and none of the neighbours' geometry,
+/// so that chunks can be coded in any order. Geometry sees which edges across the border cross: the
+/// signs of all chunks are coded before it.
+template <int D>
+class ChunkState {
+ public:
+  /// `coarser`: the signs of the whole level before. `level`: the table of the chunk's level.
+  ChunkState(const Chunk<D>& chunk, const Signs<D>& coarser, const BrickTable<D>& level)
+      : indices_(chunk.indicesIn(level, BrickTable<D>(chunk.lattice), 1)),
+        halo_(chunk.halo()),
+        signs_(
+            refined(cropped(coarser, chunk.coarser(),
+                            chunk.indicesIn(coarser.table(), BrickTable<D>(chunk.coarser()), 2)))) {
+  }
+
+  /// By brick index of the chunk: the index in the whole level's table.
+  [[nodiscard]] const std::vector<std::size_t>& indices() const { return indices_; }
+  /// By brick index: 1 for bricks of the halo.
+  [[nodiscard]] const std::vector<uint8_t>& halo() const { return halo_; }
+  [[nodiscard]] const Signs<D>& signs() const { return signs_; }
+  /// Bytes in use, beside models.
+  [[nodiscard]] uint64_t memory() const {
+    return signs_.memory() + halo_.size() * (sizeof(std::size_t) + 2) + geometry_.scalars.memory() +
+           geometry_.displacements.memory();
+  }
+
+  /// Are the signs known already, and is there no surface among them? `actual`: of the chunk's
+  /// lattice.
+  [[nodiscard]] bool isWithoutSurface(const Signs<D>& actual) const {
+    const auto active = activeBricks(signs_);
+    for (std::size_t i = 0; i < halo_.size(); ++i) {
+      if (halo_[i] == 0 && (active[i] != 0 || actual.slot(i) != signs_.slot(i))) return false;
+    }
+    return true;
+  }
+  /// Is there a surface in it? Known from beginGeometry() on.
+  [[nodiscard]] bool hasGeometry() const {
+    return std::any_of(geometry_.active.begin(), geometry_.active.end(),
+                       [](uint8_t mark) { return mark != 0; });
+  }
+
+  /// `coder`: with the bit models to start from.
+  template <SignExchange Exchange>
+  void codeSigns(Exchange& exchange, RefinementCoder<D>& coder) {
+    coder.code(exchange, signs_, nullptr, &halo_);
+  }
+  /// Copies the signs that the chunk owns.
+  void joinSigns(Signs<D>& level) const {
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      if (halo_[i] == 0) level.put(indices_[i], signs_.brickAt(i));
+    }
+  }
+
+  /// Clears the marks, by brick index of the level, of the bricks that the chunk owns.
+  void clearOwn(std::vector<uint8_t>& marks) const {
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      if (halo_[i] == 0) marks[indices_[i]] = 0;
+    }
+  }
+
+  /// Takes the signs around the chunk from its level, when all chunks are coded.
+  void beginGeometry(const Signs<D>& level) {
+    signs_ = cropped(level, signs_.lattice(), indices_);
+    geometry_.active = activeBricks(signs_);
+    for (std::size_t i = 0; i < halo_.size(); ++i) {
+      if (halo_[i] != 0) geometry_.active[i] = 0;
+    }
+  }
+  /// `fitted`: a property of the whole stream.
+  template <class Exchange>
+  void codePass(Exchange& exchange, const GeometryPass<D>& pass, SmoothingFilter filter,
+                bool fitted) {
+    // Its models are too large to keep them for each chunk.
+    const auto exponents = pass.kind == LayerKind::Exponents ? std::make_unique<ExponentCoder<D>>()
+                                                             : std::unique_ptr<ExponentCoder<D>>();
+    geometry_.codePass(exchange, signs_, pass, filter, fitted, exponents.get());
+    if (pass.kind == LayerKind::Exponents) assumeFarEnds(pass.members == Members::DiagonalEnds);
+  }
+  /// Adds the geometry that the chunk owns to that of its level. Later passes change it there, too.
+  void joinGeometry(GeometryState<D>& level) {
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      if (halo_[i] != 0) continue;
+      const std::size_t index = indices_[i];
+      if (geometry_.scalars.tableSize() != 0) joinScalars(i, index, level.scalars);
+      if (geometry_.displacements.tableSize() != 0 && geometry_.displacements.has(i) &&
+          !level.displacements.has(index))
+        level.displacements.refer(index, geometry_.displacements.writable(i));
+    }
+  }
+
+ private:
+  void joinScalars(std::size_t own, std::size_t index, Scalars<D>& level) {
+    if (geometry_.scalars.hasGradient(own))
+      level.setGradient(index, geometry_.scalars.gradient(own));
+    if (geometry_.scalars.has(own) && !level.has(index))
+      level.refer(index, geometry_.scalars.writable(own));
+  }
+
+  /// Scalars beyond the border are not known, but how precisely those within must be depends on
+  /// them: the surface is taken to cross edges to them halfway, where it is most sensitive.
+  void assumeFarEnds(bool diagonals) {
+    const auto& table = signs_.table();
+    for (std::size_t i = 0; i < halo_.size(); ++i) {
+      if (halo_[i] != 0 || !geometry_.scalars.has(i) || !besideHalo(i)) continue;
+      for (std::size_t v = 0; v < Scalars<D>::kVertices; ++v) {
+        if (geometry_.scalars.at(i).knows(v))
+          assumeAround(vertexOf<D>(table.brick(i), v), i, v, diagonals);
+      }
+    }
+  }
+  [[nodiscard]] bool besideHalo(std::size_t brickIndex) const {
+    const auto& table = signs_.table();
+    for (const std::size_t other : table.around(table.brick(brickIndex))) {
+      if (other != BrickTable<D>::kNowhere && halo_[other] != 0) return true;
+    }
+    return false;
+  }
+  void assumeAround(const Coordinates<D>& v, std::size_t brickIndex, std::size_t number,
+                    bool diagonals) {
+    const int32_t value = geometry_.scalars.at(brickIndex).value[number];
+    Coordinates<D> low, high;
+    for (int a = 0; a < D; ++a) {
+      low[a] = std::max(v[a] - 1, 0);
+      high[a] = std::min(v[a] + 1, signs_.lattice().last[a]);
+    }
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& other) {
+      int axes = 0, odd = 0;
+      for (int a = 0; a < D; ++a) {
+        axes += other[a] != v[a] ? 1 : 0;
+        odd += other[a] != v[a] ? v[a] & 1 : 0;
+      }
+      // A diagonal's ends are even on all its axes, or odd on all.
+      const bool isDiagonal = diagonals && (odd == 0 || odd == axes);
+      if (axes == 0 || (axes > 1 && !isDiagonal)) return;
+      const std::size_t brick = signs_.table().brickIndexOf(other);
+      if (halo_[brick] == 0 || signs_.at(other) == (value > 0)) return;
+      auto& theirs = geometry_.scalars.writable(brick).value[numberOf<D>(other)];
+      if (theirs == Scalars<D>::kUnknown) theirs = -value;
+    });
+  }
+
+  std::vector<std::size_t> indices_;
+  std::vector<uint8_t> halo_;
+  Signs<D> signs_;
+  GeometryState<D> geometry_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,143 @@
+// Decodes the sections of a layer in chunks, which may run side by side.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "coding/chunked_level.h"
+#include "decoder/layer_input.h"
+#include "decoder/reconstruction.h"
+#include "util/run_all.h"
+
+namespace isostar {
+
+template <int D>
+class ChunkDecoder {
+ public:
+  using Outcome = Reconstruction::Outcome;
+
+  /// What is left to spend, before a layer and after it.
+  struct Budget {
+    uint64_t memory, decisions;
+  };
+
+  explicit ChunkDecoder(const RunTasks& runTasks) : runTasks_(runTasks) {}
+
+  [[nodiscard]] uint64_t memory() const { return level_.memory(); }
+
+  /// Decodes a refinement or a pass. Of a layer that is `torn` what has arrived is decoded; chunks
+  /// of a level that have not arrived are shown as the level before.
+  Outcome decode(const LayerHead& head, Reconstruction::Sections sections, bool torn,
+                 CodecState<D>& whole, Budget& budget) {
+    return head.kind == LayerKind::Refinement ? refine(head, sections, torn, whole, budget)
+                                              : pass(head, sections, torn, whole, budget);
+  }
+
+ private:
+  /// So many chunks share what is left: no order of work may spend more.
+  static constexpr std::size_t kTogether = 16;
+
+  /// A section's result.
+  struct Piece {
+    Error error = Error::None;
+    uint64_t work = 0;
+  };
+
+  Outcome refine(const LayerHead& head, Reconstruction::Sections sections, bool torn,
+                 CodecState<D>& whole, Budget& budget) {
+    // Of a torn level only whole chunks count.
+    const std::size_t arrived =
+        sections.size() -
+        (!sections.empty() && isTorn(head, sections, sections.size() - 1) ? 1 : 0);
+    if (torn && arrived == 0) return {};
+    const uint64_t needed = memoryToRefine(whole);
+    if (needed > budget.memory) return {Error::OverLimit};
+    budget.memory -= needed;
+    auto chunks = ChunkedLevel<D>::next(whole);
+    const Error error = run(arrived, budget, [&](std::size_t i, const Budget& most) {
+      if (sections[i].empty()) return Piece{};
+      RefinementCoder<D> coder = whole.refinement;
+      return section(sections[i], most, false,
+                     [&](auto& exchange) { chunks[i].codeSigns(exchange, coder); });
+    });
+    if (error != Error::None) return {error};
+    const auto filter = static_cast<SmoothingFilter>(head.filter);
+    if (torn)
+      ChunkedLevel<D>::keepUnfinished(chunks, arrived, filter, whole);
+    else
+      level_.finishLevel(std::move(chunks), filter, whole);
+    return {Error::None, true};
+  }
+
+  Outcome pass(const LayerHead& head, Reconstruction::Sections sections, bool torn,
+               CodecState<D>& whole, Budget& budget) {
+    std::vector<std::optional<LayerInput<D>>> inputs(sections.size());
+    std::optional<GeometryPass<D>> coded;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (sections[i].empty()) continue;
+      LayerInput<D> input;
+      if (const auto outcome = input.read(head.kind, sections[i], isTorn(head, sections, i))) {
+        if (outcome->error != Error::None) return *outcome;
+        continue;
+      }
+      coded = input.pass;
+      inputs[i] = input;
+    }
+    auto& chunks = level_.chunks();
+    const Error error = run(sections.size(), budget, [&](std::size_t i, const Budget& most) {
+      if (!inputs[i]) return Piece{};
+      return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
+        chunks[i].codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
+      });
+    });
+    if (coded) level_.finishPass(*coded, !torn, whole);
+    return {error, error == Error::None};
+  }
+
+  [[nodiscard]] static bool isTorn(const LayerHead& head, Reconstruction::Sections sections,
+                                   std::size_t chunk) {
+    return sections[chunk].size() < head.sections[chunk];
+  }
+
+  /// Decodes one section within a part of the budget.
+  template <class Code>
+  [[nodiscard]] static Piece section(std::span<const std::byte> bytes, const Budget& most,
+                                     bool torn, Code code) {
+    RangeDecoder coder(bytes);
+    DecoderExchange<D> exchange(coder, torn ? 0 : LayerInput<D>::kSlack, most.memory,
+                                most.decisions);
+    code(exchange);
+    return {exchange.overBudget()           ? Error::OverLimit
+            : !torn && exchange.exhausted() ? Error::Corrupt
+                                            : Error::None,
+            exchange.work()};
+  }
+
+  /// Calls decodeChunk(number, budget) for each chunk; the first error in their order counts, so
+  /// that it does not depend on the order of work.
+  template <class DecodeChunk>
+  Error run(std::size_t count, Budget& budget, DecodeChunk decodeChunk) {
+    std::vector<Piece> pieces(count);
+    for (std::size_t first = 0; first < count; first += kTogether) {
+      const std::size_t together = std::min(kTogether, count - first);
+      const Budget most{budget.memory / kTogether, budget.decisions / kTogether};
+      runAll(runTasks_, together,
+             [&](std::size_t i) { pieces[first + i] = decodeChunk(first + i, most); });
+      for (std::size_t i = first; i < first + together; ++i) {
+        budget.decisions -= std::min(pieces[i].work, budget.decisions);
+        if (pieces[i].error != Error::None) return pieces[i].error;
+      }
+    }
+    return Error::None;
+  }
+
+  [[nodiscard]] static uint64_t memoryToRefine(const CodecState<D>& whole) {
+    // Signs in chunks with their halo, and joined.
+    return 3 * whole.memoryToRefine();
+  }
+
+  const RunTasks& runTasks_;
+  ChunkedLevel<D> level_;
+};
+
+}  // namespace isostar

@@ -1,0 +1,107 @@
+// Chunks: cubes of a level's cells that are coded independently of each other.
+#pragma once
+
+#include "grid/signs.h"
+
+namespace isostar {
+
+/// A part of a level. It owns bricks; its own lattice also has a halo of bricks around them, so
+/// that windows reach no further than that lattice, and parents' signs can be refined in it.
+template <int D>
+struct Chunk {
+  /// Two bricks, so that the halo is whole bricks of the coarser level, too.
+  static constexpr int32_t kHalo = 2;
+
+  Coordinates<D> begin{}, end{};  // the bricks owned, begin … end - 1, in the level's coordinates
+  Coordinates<D> origin{};        // the first brick of `lattice`, in the level's coordinates
+  Lattice<D> lattice;
+
+  /// The lattice of the next coarser level over the same samples.
+  [[nodiscard]] Lattice<D> coarser() const { return {lattice.box, lattice.step * 2}; }
+  /// For each brick of a table of this chunk's own, its index in the table of the whole level;
+  /// BrickTable::kNowhere for one beyond the whole lattice. `step`: 1 for this level, 2 for the
+  /// next coarser one.
+  [[nodiscard]] std::vector<std::size_t> indicesIn(const BrickTable<D>& whole,
+                                                   const BrickTable<D>& own, int32_t step) const {
+    std::vector<std::size_t> indices(own.total());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      auto brick = own.brick(i);
+      bool inside = true;
+      for (int a = 0; a < D; ++a) {
+        brick[a] += origin[a] / step;
+        inside = inside && brick[a] < whole.count(a);
+      }
+      indices[i] = inside ? whole.index(brick) : BrickTable<D>::kNowhere;
+    }
+    return indices;
+  }
+  /// By brick index in the table of `lattice`: 1 for a brick of the halo.
+  [[nodiscard]] std::vector<uint8_t> halo() const {
+    const BrickTable<D> own(lattice);
+    std::vector<uint8_t> marks(own.total());
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const auto brick = own.brick(i);
+      for (int a = 0; a < D; ++a) {
+        const int32_t at = brick[a] + origin[a];
+        if (at < begin[a] || at >= end[a]) marks[i] = 1;
+      }
+    }
+    return marks;
+  }
+};
+
+/// The chunks of a level.
+template <int D>
+class ChunkGrid {
+ public:
+  /// `side`: of a chunk, in cells, a multiple of 16. A last plane beyond the last whole chunk
+  /// belongs to that one.
+  ChunkGrid(const Lattice<D>& level, int32_t side) : level_(level), table_(level), side_(side) {
+    for (int a = 0; a < D; ++a) count_[a] = std::max(1, (level.last[a] + side - 1) / side);
+  }
+
+  [[nodiscard]] std::size_t total() const {
+    std::size_t total = 1;
+    for (const int32_t n : count_) total *= static_cast<std::size_t>(n);
+    return total;
+  }
+  /// Chunk 0 … total() - 1, the first axis being the fastest.
+  [[nodiscard]] Chunk<D> chunk(std::size_t number) const {
+    Chunk<D> chunk;
+    Coordinates<D> box;
+    for (int a = 0; a < D; ++a) {
+      const auto count = static_cast<std::size_t>(count_[a]);
+      const auto at = static_cast<int32_t>(number % count);
+      number /= count;
+      const bool last = at + 1 == count_[a];
+      chunk.begin[a] = at * (side_ / kBrickSide);
+      chunk.end[a] = last ? table_.count(a) : (at + 1) * (side_ / kBrickSide);
+      chunk.origin[a] = std::max(0, chunk.begin[a] - Chunk<D>::kHalo);
+      const int32_t first = chunk.origin[a] * kBrickSide;
+      const int32_t plane = (chunk.end[a] + Chunk<D>::kHalo) * kBrickSide;
+      box[a] = (last || plane > level_.last[a] ? level_.box[a] : level_.sample(a, plane)) -
+               first * level_.step;
+    }
+    chunk.lattice = Lattice<D>(box, level_.step);
+    return chunk;
+  }
+
+ private:
+  Lattice<D> level_;
+  BrickTable<D> table_;
+  int32_t side_;
+  std::array<int32_t, D> count_{};
+};
+
+/// The signs of a part of a lattice. `indices`: as of Chunk::indicesIn().
+template <int D>
+[[nodiscard]] Signs<D> cropped(const Signs<D>& whole, const Lattice<D>& part,
+                               const std::vector<std::size_t>& indices) {
+  Signs<D> signs(part);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] != BrickTable<D>::kNowhere) signs.put(i, whole.brickAt(indices[i]));
+  }
+  return signs;
+}
+
+}  // namespace isostar

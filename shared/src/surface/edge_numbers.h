@@ -1,0 +1,92 @@
+// The numbers of a mesh's vertices: one for each crossing edge, brick by brick.
+#pragma once
+
+#include <bit>
+#include <vector>
+
+#include "scalars/crossings.h"
+#include "surface/corner_signs.h"
+#include "surface/edge_index.h"
+
+namespace isostar {
+
+/// Bricks are named by their slots: their order among the active ones.
+class EdgeNumbers {
+ public:
+  /// Bytes per brick index of the whole table.
+  static constexpr uint64_t kBytesPerEntry = sizeof(uint8_t) + sizeof(uint32_t);
+  static constexpr uint32_t kNone = UINT32_MAX;
+
+  EdgeNumbers(const Signs<3>& signs, Polygonizer polygonizer)
+      : signs_(signs),
+        polygonizer_(polygonizer),
+        numbers_(numbersOfSets(polygonizer)),
+        slot_(signs.table().total(), kNone) {
+    const auto active = activeBricks(signs);
+    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+      if (active[brickIndex] == 0) continue;
+      slot_[brickIndex] = static_cast<uint32_t>(bricks_.size());
+      bricks_.push_back(brickIndex);
+    }
+  }
+
+  [[nodiscard]] std::size_t bricks() const { return bricks_.size(); }
+  [[nodiscard]] std::size_t brickIndex(std::size_t slot) const { return bricks_[slot]; }
+  /// kNone for a brick without edges.
+  [[nodiscard]] uint32_t slot(std::size_t brickIndex) const { return slot_[brickIndex]; }
+  /// Along sets of axes from 1 to this one there are edges, as far as uses() says.
+  [[nodiscard]] unsigned lastAxes() const { return polygonizer_ == Polygonizer::Cubes ? 4u : 7u; }
+  [[nodiscard]] bool uses(unsigned axes) const {
+    return polygonizer_ == Polygonizer::Tetrahedra || std::has_single_bit(axes);
+  }
+  [[nodiscard]] const EdgeIndex& of(std::size_t slot, unsigned axes) const {
+    return index_[slot * sets() + numbers_[axes]];
+  }
+
+  /// Bytes that makeRoom() takes.
+  [[nodiscard]] uint64_t memory() const {
+    return kBytesPerEntry * slot_.size() +
+           bricks_.size() * (sets() * sizeof(EdgeIndex) + sizeof(std::size_t));
+  }
+  void makeRoom() { index_.resize(bricks_.size() * sets()); }
+  /// Numbers the vertices of a brick from `first` on; returns the next number.
+  uint32_t count(std::size_t slot, uint32_t first) {
+    const CornerSigns corners(signs_, bricks_[slot]);
+    const auto brick = signs_.table().brick(bricks_[slot]);
+    for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
+      if (!uses(axes)) continue;
+      EdgeIndex& index = index_[slot * sets() + numbers_[axes]];
+      const auto inside = insideOf(signs_.lattice(), brick, axes);
+      for (unsigned z = 0; z < kPlanes; ++z) {
+        const uint64_t crossed = corners.crossedEdges(axes, z) & inside[z];
+        index.planes[z] = {crossed, first};
+        first += static_cast<uint32_t>(std::popcount(crossed));
+      }
+    }
+    return first;
+  }
+  /// Adds to the numbers of a brick.
+  void shift(std::size_t slot, uint32_t by) {
+    for (std::size_t set = 0; set < sets(); ++set) {
+      for (auto& plane : index_[slot * sets() + set].planes) plane.first += by;
+    }
+  }
+
+ private:
+  /// How many sets of axes there are along which edges run.
+  [[nodiscard]] std::size_t sets() const { return polygonizer_ == Polygonizer::Cubes ? 3 : 7; }
+  /// Of a set of axes: its number among those used.
+  [[nodiscard]] static std::array<uint8_t, 8> numbersOfSets(Polygonizer polygonizer) {
+    if (polygonizer == Polygonizer::Cubes) return {0, 0, 1, 0, 2, 0, 0, 0};
+    return {0, 0, 1, 2, 3, 4, 5, 6};
+  }
+
+  const Signs<3>& signs_;
+  const Polygonizer polygonizer_;
+  std::array<uint8_t, 8> numbers_;
+  std::vector<uint32_t> slot_;       // by brick index
+  std::vector<std::size_t> bricks_;  // brick indices, by slot
+  std::vector<EdgeIndex> index_;     // by slot, then by number of the set of axes
+};
+
+}  // namespace isostar

@@ -1,0 +1,126 @@
+// Streams in chunks: the surfaces of streams without, whatever the order of work.
+#include <numeric>
+#include <thread>
+
+#include "exact_crossings.h"
+#include "surface_checks.h"
+
+namespace isostar {
+namespace {
+
+EncodeOptions inChunks(int side) {
+  EncodeOptions options;
+  options.chunkSide = side;
+  return options;
+}
+
+std::vector<SampledField> dividedFields() {
+  std::vector<SampledField> fields;
+  for (const Size& size : {Size{33, 34, 17}, Size{50, 16, 64}, Size{65, 40, 49}}) {
+    for (auto& field : fieldsOf(size)) fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+/// Runs tasks from the last one to the first, each on a thread of its own.
+void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = count; i-- > 0;) std::thread(task, i).join();
+}
+/// Runs all at once.
+void together(std::size_t count, const std::function<void(std::size_t)>& task) {
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < count; ++i) threads.emplace_back(task, i);
+  for (auto& thread : threads) thread.join();
+}
+
+Mesh decodedBy(const Bytes& bytes, const RunTasks& runTasks, const MeshOptions& options) {
+  Decoder decoder({}, runTasks);
+  decoder.accept(bytes);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  EXPECT_EQ(decoder.error(), Error::None);
+  EXPECT_TRUE(decoder.isFinal());
+  return meshOf(decoder, options);
+}
+
+TEST(Chunks, holdTheBoundOfExactCrossings) {
+  for (const auto& field : dividedFields()) {
+    for (const double bound : {0.2, 0.01}) {
+      EncodeOptions options = inChunks(16);
+      options.maxError = bound;
+      const Bytes bytes = encoded(field, options);
+      ASSERT_GT(infoOf(bytes).layers.size(), 1u);
+      EXPECT_LE(farthestFromExact(decoded(bytes, {Polygonizer::Cubes, Frame::Grid, false}), field),
+                bound + 1e-4)
+          << described(field);
+    }
+  }
+}
+
+TEST(Chunks, losslessSurfacesAreThoseOfTheSource) {
+  for (const auto& field : dividedFields()) {
+    for (const Polygonizer polygonizer : kPolygonizers) {
+      EncodeOptions options = inChunks(32);
+      options.lossless = true;
+      options.polygonizer = polygonizer;
+      const MeshOptions shown{polygonizer, Frame::Grid, true};
+      const Mesh mesh = decoded(encoded(field, options), shown), source = sourceMesh(field, shown);
+      EXPECT_EQ(mesh.indices, source.indices) << described(field);
+      ASSERT_EQ(mesh.positions.size(), source.positions.size());
+      for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        ASSERT_NEAR(mesh.positions[i], source.positions[i], 1e-4);
+    }
+  }
+}
+
+TEST(Chunks, bytesAndMeshesDoNotDependOnTheOrderOfWork) {
+  for (const auto& field : dividedFields()) {
+    EncodeOptions options = inChunks(16);
+    const Bytes bytes = encoded(field, options);
+    const MeshOptions shown{Polygonizer::Cubes, Frame::World, true};
+    const Mesh mesh = decoded(bytes, shown);
+    for (const RunTasks& runTasks : {RunTasks(backwards), RunTasks(together)}) {
+      options.runTasks = runTasks;
+      EXPECT_EQ(encoded(field, options), bytes) << described(field);
+      const Mesh other = decodedBy(bytes, runTasks, shown);
+      EXPECT_EQ(other.indices, mesh.indices);
+      EXPECT_EQ(other.positions, mesh.positions);
+      EXPECT_EQ(other.normals, mesh.normals);
+    }
+  }
+}
+
+TEST(Chunks, eachPrefixShowsASoundClosedSurface) {
+  for (const auto& field : dividedFields()) {
+    const Bytes bytes = encoded(field, inChunks(16));
+    uint64_t before = 0;
+    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 200) {
+      const Decoder decoder = decoderOf(std::span(bytes).first(length));
+      ASSERT_EQ(decoder.error(), Error::Truncated);
+      ASSERT_GE(decoder.bytes(), before);
+      before = decoder.bytes();
+      if (!decoder.ready()) continue;
+      const Mesh mesh = meshOf(decoder, {Polygonizer::Tetrahedra, Frame::Grid, true});
+      expectSound(mesh);
+      expectClosed(mesh, field.size);
+    }
+  }
+}
+
+TEST(Chunks, smallSurfacesHaveNone) {
+  const Size size{40, 40, 40};
+  const auto field = sampled("sphere", size, sphere(size));
+  EXPECT_EQ(encoded(field), encoded(field, inChunks(0)));
+}
+
+TEST(Chunks, sidesThatAreNoPowersOfTwoAreBadArguments) {
+  const auto field = sampled("sphere", {40, 40, 40}, sphere({40, 40, 40}));
+  for (const int side : {1, 8, 24, 100, -2}) {
+    Bytes bytes;
+    EXPECT_EQ(encode(field.volume(), inChunks(side), bytes), Error::BadArgument) << side;
+  }
+}
+
+}  // namespace
+}  // namespace isostar
