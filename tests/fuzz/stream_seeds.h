@@ -42,6 +42,15 @@ inline void addVolumes(StreamSeeds& streams) {
   }
 }
 
+inline void addChunks(StreamSeeds& streams) {
+  for (const auto& field : fieldsOf({33, 20, 17})) {
+    EncodeOptions options = optionsOf(streams.number());
+    options.chunkSide = 16;
+    options.maxError = 0.3;
+    streams.add(field.volume(), options);
+  }
+}
+
 inline void addFurtherIsovalues(StreamSeeds& streams) {
   for (const auto& field : fieldsOf({9, 8, 11})) {
     EncodeOptions options = optionsOf(streams.number());
@@ -109,6 +118,7 @@ inline StreamSeeds streamSeeds() {
   StreamSeeds streams;
   seeds::addVolumes(streams);
   seeds::addFurtherIsovalues(streams);
+  seeds::addChunks(streams);
   seeds::addAdaptiveMeshes(streams);
   seeds::addDomains(streams);
   seeds::addVolumesOfOneTopology(streams);

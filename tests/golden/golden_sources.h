@@ -90,6 +90,9 @@ inline std::vector<GoldenSource> goldenSources() {
   options = {};
   options.effort = 2;
   sources.push_back(golden::of(sampled("fitted", {24, 20, 22}, gyroid(17)), options));
+  options = golden::withBound(0.2);
+  options.chunkSide = 16;
+  sources.push_back(golden::of(sampled("chunks", {33, 17, 36}, gyroid(23)), options));
   sources.push_back(golden::image("image"));
   sources.push_back(golden::sequence("sequence"));
   sources.push_back(

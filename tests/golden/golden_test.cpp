@@ -36,7 +36,7 @@ TEST(Golden, eachPartOfTheFormatHasAStream) {
   const auto table = goldenTable(kFolder + "/" + kGoldenTable);
   std::set<int> dimensions;
   bool lossless = false, tetrahedra = false, adaptive = false, topology = false,
-       severalIsovalues = false, placed = false, trimmed = false, fitted = false;
+       severalIsovalues = false, placed = false, trimmed = false, fitted = false, chunks = false;
   for (const GoldenSurface& row : table) {
     const auto bytes = goldenBytes(pathOf(row.stream));
     EXPECT_LE(bytes.size(), 3000u) << row.stream;
@@ -51,11 +51,12 @@ TEST(Golden, eachPartOfTheFormatHasAStream) {
     EXPECT_EQ(info.version, static_cast<int>(bytes[3]) >> 2 & 31) << row.stream;
     trimmed = trimmed || info.trimmed;
     fitted = fitted || info.effort == 2;
+    chunks = chunks || info.chunkSide != 0;
     placed = placed || info.placement.direction != Placement().direction;
   }
   EXPECT_EQ(dimensions, (std::set{2, 3, 4}));
   EXPECT_TRUE(lossless && tetrahedra && adaptive && topology && severalIsovalues && placed &&
-              trimmed && fitted);
+              trimmed && fitted && chunks);
 }
 
 /// Not an error, because an encoder may become better; but a change of its bytes should be known.

@@ -37,7 +37,10 @@ class DamagedStreams {
 
   [[nodiscard]] const Bytes& sound() const { return sound_; }
 
+  /// Of a stream in chunks, whose layers have no heads of their own, bytes are damaged instead.
   [[nodiscard]] Damaged next(Damage kind) {
+    if (layers_.empty() && kind != Damage::FlippedBits && kind != Damage::CutEnd)
+      kind = Damage::OverwrittenBytes;
     switch (kind) {
       case Damage::FlippedBits:
         return mended(withFlippedBits());

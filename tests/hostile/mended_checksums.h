@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "container/crc.h"
 #include "container/stream.h"
 
 namespace isostar {
@@ -29,6 +30,32 @@ inline std::size_t mendHeader(std::vector<std::byte>& stream, Header& header) {
   return 0;
 }
 
+/// Corrects the checksums of an index that begins at `at`, and of all sections as far as they are
+/// whole.
+inline void mendIndex(std::vector<std::byte>& stream, std::size_t at, const Header& header) {
+  constexpr std::size_t kSum = 4;
+  const std::span<const std::byte> all(stream);
+  ByteReader in(all.subspan(at));
+  std::vector<LayerHead> heads;
+  if (readEntries(in, header, heads) != Error::None) return;
+  at += in.position();
+  if (stream.size() - at < kSum) return;
+  Crc32 crc;
+  crc.add(all.first(at));
+  putChecksum(stream, at, kSum, crc.sum());
+  at += kSum;
+  for (std::size_t layer = 0; layer < heads.size(); ++layer) {
+    for (std::size_t chunk = 0; chunk < heads[layer].sections.size(); ++chunk) {
+      const uint64_t length = heads[layer].sections[chunk];
+      const std::size_t sum = checksumBytes(length);
+      if (length > stream.size() - at || sum > stream.size() - at - length) return;
+      putChecksum(stream, at, sum,
+                  checksum(crc.sum(), layer, chunk, all.subspan(at + sum, length)));
+      at += sum + static_cast<std::size_t>(length);
+    }
+  }
+}
+
 /// Corrects the checksums of the header and of all layers up to the first head that cannot be read
 /// or that states a longer layer than there is.
 inline void mendChecksums(std::vector<std::byte>& stream) {
@@ -36,6 +63,7 @@ inline void mendChecksums(std::vector<std::byte>& stream) {
   const std::span<const std::byte> all(stream);
   Header header;
   std::size_t at = mendHeader(stream, header);
+  if (at != 0 && header.chunkSide != 0) return mendIndex(stream, at, header);
   for (std::size_t number = 0; at != 0 && at < stream.size(); ++number) {
     LayerHead head;
     std::size_t used = 0;

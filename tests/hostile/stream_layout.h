@@ -6,6 +6,7 @@
 
 namespace isostar {
 
+/// Of a stream in chunks only the header's end is known.
 struct StreamLayout {
   struct Layer {
     std::size_t head, payload, end;
@@ -17,7 +18,7 @@ struct StreamLayout {
 
   explicit StreamLayout(std::span<const std::byte> bytes) {
     EXPECT_EQ(read(bytes, header, headerEnd), Error::None);
-    for (std::size_t at = headerEnd; at < headerEnd + header.bytes;) {
+    for (std::size_t at = headerEnd; header.chunkSide == 0 && at < headerEnd + header.bytes;) {
       LayerHead head;
       std::size_t used = 0;
       if (read(bytes.subspan(at), header, head, used) != Error::None) break;
@@ -30,6 +31,10 @@ struct StreamLayout {
 
 /// The damaged stream with correct checksums. `layout`: of the undamaged stream.
 inline Bytes repaired(Bytes bytes, const StreamLayout& layout) {
+  if (layout.header.chunkSide != 0) {
+    mendChecksums(bytes);
+    return bytes;
+  }
   const std::span<const std::byte> all(bytes);
   constexpr std::size_t kMagic = 3, kSum = 2;
   putChecksum(bytes, layout.headerEnd - kSum, kSum,

@@ -42,7 +42,7 @@ export const ARROWS = {
   ],
   'encoder/adaptive': ['encoder/core', 'coding/adaptive', 'scalars', 'api'],
   'encoder/topology': ['coding/adaptive', 'container', 'surface', 'bisection', 'grid'],
-  encoder: ['encoder/core', 'encoder/adaptive', 'encoder/topology', 'coding', 'api'],
+  encoder: ['encoder/core', 'encoder/adaptive', 'encoder/topology', 'coding', 'util', 'api'],
 };
 
 /** The C++ library as far as the codec needs it: no threads, files, streams, clocks. */

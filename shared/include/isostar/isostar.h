@@ -252,6 +252,8 @@ struct StreamInfo {
   int effort = 1;
   /// The surface ends at the boundary of a domain inside the box (§2).
   bool trimmed = false;
+  /// Cells of a chunk on a side; 0 if each level is one chunk.
+  int chunkSide = 0;
   /// The bound, in grid steps; 0 if lossless.
   double maxError = 0;
   /// Vertices of the final surface of the first isovalue that Polygonizer::Cubes makes, before it

@@ -35,14 +35,27 @@ class ChunkState {
            geometry_.displacements.memory();
   }
 
-  /// Are the signs known already, and is there no surface among them? `actual`: of the chunk's
-  /// lattice.
-  [[nodiscard]] bool isWithoutSurface(const Signs<D>& actual) const {
+  /// Does the surface of the coarser level touch the chunk? Then its signs are coded.
+  [[nodiscard]] bool hasSigns() const {
     const auto active = activeBricks(signs_);
     for (std::size_t i = 0; i < halo_.size(); ++i) {
-      if (halo_[i] == 0 && (active[i] != 0 || actual.slot(i) != signs_.slot(i))) return false;
+      if (halo_[i] == 0 && active[i] != 0) return true;
     }
-    return true;
+    return false;
+  }
+  /// Are some signs others than those of the coarser level? `actual`: of the chunk's lattice, none
+  /// of whose bricks has both signs here. For an encoder.
+  [[nodiscard]] bool differs(const Signs<D>& actual) const {
+    for (std::size_t i = 0; i < halo_.size(); ++i) {
+      if (halo_[i] == 0 && actual.slot(i) != signs_.slot(i)) return true;
+    }
+    return false;
+  }
+  /// Copies the marks of active bricks that the chunk owns, by brick index of the level.
+  void joinActive(std::vector<uint8_t>& active) const {
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      if (halo_[i] == 0) active[indices_[i]] = geometry_.active[i];
+    }
   }
   /// Is there a surface in it? Known from beginGeometry() on.
   [[nodiscard]] bool hasGeometry() const {

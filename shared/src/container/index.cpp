@@ -87,15 +87,22 @@ void append(std::vector<std::byte>& out, const Header& header, std::vector<Layer
   }
 }
 
+Error readEntries(ByteReader& in, const Header& header, std::vector<LayerHead>& out) {
+  std::vector<LayerHead> heads(in.u8());
+  for (LayerHead& head : heads) {
+    if (const Error error = readHead(in, header, head); error != Error::None) return error;
+  }
+  out = std::move(heads);
+  return in.overrun() ? Error::Truncated : Error::None;
+}
+
 Error readIndex(std::span<const std::byte> stream, std::size_t start, const Header& header,
                 Index& out) {
   ByteReader r(stream.subspan(start));
-  std::vector<LayerHead> heads(r.u8());
+  std::vector<LayerHead> heads;
+  if (const Error error = readEntries(r, header, heads); error != Error::None) return error;
   uint64_t bytes = 0;
-  for (LayerHead& head : heads) {
-    if (const Error error = readHead(r, header, head); error != Error::None) return error;
-    bytes += head.bytes;
-  }
+  for (const LayerHead& head : heads) bytes += head.bytes;
   const std::size_t length = r.position();
   const uint32_t sum = r.u32();
   if (r.overrun()) return Error::Truncated;

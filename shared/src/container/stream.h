@@ -52,6 +52,8 @@ struct Index {
   uint32_t identity = 0;  // what the checksums of this stream's sections start with
   std::size_t end = 0;    // where in the stream the first section begins
 };
+/// Reads the entries of an index, up to its checksum.
+[[nodiscard]] Error readEntries(ByteReader& in, const Header& header, std::vector<LayerHead>& out);
 /// Reads the index that begins at `start`, behind the header. Truncated, Corrupt: as above.
 [[nodiscard]] Error readIndex(std::span<const std::byte> stream, std::size_t start,
                               const Header& header, Index& out);

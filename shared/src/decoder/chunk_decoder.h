@@ -53,19 +53,20 @@ class ChunkDecoder {
     const uint64_t needed = memoryToRefine(whole);
     if (needed > budget.memory) return {Error::OverLimit};
     budget.memory -= needed;
-    auto chunks = ChunkedLevel<D>::next(whole);
+    typename ChunkedLevel<D>::Chunks chunks(head.sections.size());
     const Error error = run(arrived, budget, [&](std::size_t i, const Budget& most) {
-      if (sections[i].empty()) return Piece{};
+      chunks[i] = ChunkedLevel<D>::next(whole, i);
+      if (sections[i].empty()) return emptySection(chunks[i]->hasSigns());
       RefinementCoder<D> coder = whole.refinement;
       return section(sections[i], most, false,
-                     [&](auto& exchange) { chunks[i].codeSigns(exchange, coder); });
+                     [&](auto& exchange) { chunks[i]->codeSigns(exchange, coder); });
     });
     if (error != Error::None) return {error};
     const auto filter = static_cast<SmoothingFilter>(head.filter);
     if (torn)
       ChunkedLevel<D>::keepUnfinished(chunks, arrived, filter, whole);
     else
-      level_.finishLevel(std::move(chunks), filter, whole);
+      level_.finishLevel(std::move(chunks), filter, whole, runTasks_);
     return {Error::None, true};
   }
 
@@ -85,15 +86,21 @@ class ChunkDecoder {
     }
     auto& chunks = level_.chunks();
     const Error error = run(sections.size(), budget, [&](std::size_t i, const Budget& most) {
+      if (sections[i].empty())
+        return emptySection(chunks[i]->hasGeometry() && !isTorn(head, sections, i));
       if (!inputs[i]) return Piece{};
       return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
-        chunks[i].codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
+        chunks[i]->codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
       });
     });
     if (coded) level_.finishPass(*coded, !torn, whole);
     return {error, error == Error::None};
   }
 
+  /// Only a chunk without a surface has none.
+  [[nodiscard]] static Piece emptySection(bool needed) {
+    return {needed ? Error::Corrupt : Error::None, 0};
+  }
   [[nodiscard]] static bool isTorn(const LayerHead& head, Reconstruction::Sections sections,
                                    std::size_t chunk) {
     return sections[chunk].size() < head.sections[chunk];

@@ -26,6 +26,7 @@ StreamInfo describeHeader(const StreamHeads& heads) {
   info.preservesTopology = h.keepsTopology;
   info.effort = h.fitted ? 2 : 1;
   info.trimmed = h.trimmed;
+  info.chunkSide = h.chunkSide;
   info.maxError = h.lossless ? 0 : h.maxError;
   info.vertices = h.vertices;
   info.headerBytes = heads.start();

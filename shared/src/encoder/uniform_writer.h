@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "coding/chunked_level.h"
-#include "encoder/core/chunk_field.h"
+#include "encoder/chunk_field.h"
 #include "encoder/core/coded_layers.h"
 #include "encoder/core/displacement_plan.h"
 #include "encoder/core/source.h"
@@ -125,25 +125,27 @@ class UniformWriter {
   /// Codes a refinement or a pass chunk by chunk.
   LayerSections chunkSections(LayerHead& head, const Signs<D>& actual,
                               const GeometryPass<D>& pass) {
-    const bool refines = head.kind == LayerKind::Refinement;
-    auto chunks = refines ? ChunkedLevel<D>::next(state_) : typename ChunkedLevel<D>::Chunks();
-    auto& coded = refines ? chunks : level_.chunks();
-    LayerSections sections(coded.size());
-    runAll(options_.runTasks, coded.size(), [&](std::size_t i) {
-      sections[i] = refines ? signSection(coded[i], actual) : passSection(coded[i], i, pass);
-    });
-    if (refines) {
-      head.filter = static_cast<uint8_t>(filter_);
-      level_.finishLevel(std::move(chunks), filter_, state_);
-    } else {
+    const auto count = static_cast<std::size_t>(state_.header.chunks(head.level));
+    LayerSections sections(count);
+    if (head.kind != LayerKind::Refinement) {
+      runAll(options_.runTasks, count,
+             [&](std::size_t i) { sections[i] = passSection(*level_.chunks()[i], i, pass); });
       level_.finishPass(pass, true, state_);
+      return sections;
     }
+    typename ChunkedLevel<D>::Chunks chunks(count);
+    runAll(options_.runTasks, count, [&](std::size_t i) {
+      chunks[i] = ChunkedLevel<D>::next(state_, i);
+      sections[i] = signSection(*chunks[i], actual);
+    });
+    head.filter = static_cast<uint8_t>(filter_);
+    level_.finishLevel(std::move(chunks), filter_, state_, options_.runTasks);
     return sections;
   }
   /// Empty if the chunk has no surface: its signs are those of the level before.
   std::vector<std::byte> signSection(ChunkState<D>& chunk, const Signs<D>& actual) const {
     const Signs<D> own = cropped(actual, chunk.signs().lattice(), chunk.indices());
-    if (chunk.isWithoutSurface(own)) return {};
+    if (!chunk.hasSigns() && !chunk.differs(own)) return {};
     RefinementCoder<D> coder = state_.refinement;
     return codedSection(LayerKind::Refinement, GeometryPass<D>{}, own, source_->quantized(),
                         [&](auto& exchange) { chunk.codeSigns(exchange, coder); });
