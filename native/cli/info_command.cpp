@@ -65,6 +65,7 @@ void printJson(const StreamInfo& info, double unit) {
       {"preservesTopology", info.preservesTopology},
       {"effort", info.effort},
       {"trimmed", info.trimmed},
+      {"chunk", info.chunkSide},
       {"maxError", info.maxError * unit},
       {"bytes", info.bytes},
       {"vertices", info.vertices},
@@ -102,6 +103,7 @@ void printHead(const StreamInfo& info, const Arguments& arguments, double unit) 
                                      nameOf(info.polygonizer)) +
                                     (info.adaptive ? ", adaptive" : ""));
   if (info.effort > 1) line("effort", text("%d, which takes longer to decode", info.effort));
+  if (info.chunkSide != 0) line("chunks", text("of %d cells a side", info.chunkSide));
   if (info.trimmed) line("domain", "ends inside the grid, where the surface is trimmed");
   if (info.preservesTopology) line("topology", "the same in every layer");
 }

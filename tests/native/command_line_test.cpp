@@ -470,6 +470,34 @@ TEST_F(CommandLine, streamsOfOneTopologySayThatTheyAre) {
             std::string::npos);
 }
 
+TEST_F(CommandLine, bytesDoNotDependOnThreads) {
+  std::vector<float> samples;
+  for (int k = 0; k < 70; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 130; ++i)
+        samples.push_back(
+            static_cast<float>(std::sin(i / 5.) + std::cos(j / 4.) + std::sin(k / 6.)));
+  write("waves.nrrd",
+        "NRRD0004\ntype: float\ndimension: 3\nsizes: 130 40 70\nencoding: raw\n"
+        "endian: little\n\n" +
+            bytesOf(samples));
+  const std::vector<std::string> encode{"encode", "waves.nrrd", "x.isostar", "--iso",
+                                        "0.3",    "--chunk",    "64",        "--threads"};
+  std::string expected, mesh;
+  for (const char* threads : {"1", "2", "3", "7"}) {
+    auto arguments = encode;
+    arguments.emplace_back(threads);
+    ASSERT_EQ(run(arguments).status, 0);
+    ASSERT_EQ(run({"decode", "x.isostar", "x.ply", "--threads", threads}).status, 0);
+    if (expected.empty()) expected = read("x.isostar"), mesh = read("x.ply");
+    EXPECT_EQ(read("x.isostar"), expected) << threads;
+    EXPECT_EQ(read("x.ply"), mesh) << threads;
+  }
+  EXPECT_NE(run({"info", "x.isostar"}).results.find("64 cells"), std::string::npos);
+  expectFault(2, {"encode", "waves.nrrd", "y.isostar", "--iso", "0.3", "--chunk", "60"});
+  expectFault(2, {"decode", "x.isostar", "y.ply", "--threads", "0"});
+}
+
 TEST_F(CommandLine, saysWhatIsForVolumesOnly) {
   write("sequence.nrrd",
         "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 5 5 5 2\nkinds: domain domain domain "

@@ -55,7 +55,7 @@ class Chunking {
     LayerHead head;
     LayerInput<3> input;
     while (reader_.next(head, input)) layer(head, input);
-    for (const ChunkState& chunk : chunks_) bytes_.differing += differing(chunk);
+    for (const ChunkPart& chunk : chunks_) bytes_.differing += differing(chunk);
     return bytes_;
   }
 
@@ -69,16 +69,17 @@ class Chunking {
     if (chunks_.empty()) {
       bytes_.layers += head.bytes;
       ++bytes_.sections;
-      coarse_ = {whole_.refinement, whole_.displacing, whole_.exponents, whole_.magnitudes};
+      coarse_ = std::make_unique<ChunkModels>(
+          ChunkModels{whole_.refinement, whole_.displacing, whole_.exponents, whole_.magnitudes});
       return;
     }
     std::vector<std::byte> joint;
     RangeEncoder jointCoder(joint);
-    for (ChunkState& chunk : chunks_) {
+    for (ChunkPart& chunk : chunks_) {
       if (options_.seesScalars) fillHalo(chunk, scalars, displacements);
       const CodedLayer field(chunk, whole_, scalars, displacements, input.pass.displacement);
       if (!chunk.models) {
-        code(jointCoder, chunk, coarse_, field, head, input);
+        code(jointCoder, chunk, *coarse_, field, head, input);
         continue;
       }
       std::vector<std::byte> section;
@@ -97,15 +98,15 @@ class Chunking {
     chunks_.clear();
     if (grid.total() == 1) return;
     for (std::size_t i = 0; i < grid.total(); ++i) {
-      ChunkState chunk(grid.chunk(i), whole_.signs, coarser);
+      ChunkPart chunk(grid.chunk(i), whole_.signs, coarser);
       if (options_.models == ModelStart::Coarse)
-        chunk.models = std::make_unique<ChunkModels>(coarse_);
+        chunk.models = std::make_unique<ChunkModels>(*coarse_);
       if (options_.models == ModelStart::Initial) chunk.models = std::make_unique<ChunkModels>();
       chunks_.push_back(std::move(chunk));
     }
   }
 
-  void code(RangeEncoder& coder, ChunkState& chunk, ChunkModels& models, const CodedLayer& field,
+  void code(RangeEncoder& coder, ChunkPart& chunk, ChunkModels& models, const CodedLayer& field,
             const LayerHead& head, const LayerInput<3>& input) const {
     EncoderExchange<3, RangeEncoder, CodedLayer> exchange(coder, chunk.actual, field);
     if (head.kind == LayerKind::Refinement)
@@ -119,7 +120,7 @@ class Chunking {
     bytes_.sections += section.empty() ? 0 : 1;
   }
 
-  static void fillHalo(ChunkState& chunk, const Scalars<3>& scalars,
+  static void fillHalo(ChunkPart& chunk, const Scalars<3>& scalars,
                        const Displacements<3>& displacements) {
     for (std::size_t i = 0; i < chunk.indices.size(); ++i) {
       const std::size_t from = chunk.indices[i];
@@ -131,7 +132,7 @@ class Chunking {
     }
   }
 
-  [[nodiscard]] uint64_t differing(const ChunkState& chunk) const {
+  [[nodiscard]] uint64_t differing(const ChunkPart& chunk) const {
     uint64_t count = 0;
     if (whole_.scalars.tableSize() == 0) return 0;
     for (std::size_t i = 0; i < chunk.indices.size(); ++i) {
@@ -146,8 +147,9 @@ class Chunking {
   const ChunkOptions options_;
   LayerReader reader_;
   CodecState<3> whole_;
-  ChunkModels coarse_;  // of the last level of a single chunk; where models are shared, of all
-  std::vector<ChunkState> chunks_;  // of the current level; none if it is a single chunk
+  std::unique_ptr<ChunkModels>
+      coarse_;  // of the last level of a single chunk; where models are shared, of all
+  std::vector<ChunkPart> chunks_;  // of the current level; none if it is a single chunk
   ChunkBytes bytes_;
 };
 

@@ -1,14 +1,14 @@
 // The encoder's answers for a chunk, taken from a whole stream that has been decoded.
 #pragma once
 
-#include "bench/chunks/chunk_state.h"
+#include "bench/chunks/chunk_part.h"
 
 namespace isostar::bench {
 
 /// What a layer changed: the state of the whole stream before and after it.
 class CodedLayer {
  public:
-  CodedLayer(const ChunkState& chunk, const CodecState<3>& after, const Scalars<3>& scalarsBefore,
+  CodedLayer(const ChunkPart& chunk, const CodecState<3>& after, const Scalars<3>& scalarsBefore,
              const Displacements<3>& displacementsBefore, const DisplacementPass& pass)
       : chunk_(chunk),
         after_(after),
@@ -52,7 +52,7 @@ class CodedLayer {
     return value == Displacements<3>::kNone ? 0 : value;
   }
 
-  const ChunkState& chunk_;
+  const ChunkPart& chunk_;
   const CodecState<3>& after_;
   const Scalars<3>& scalarsBefore_;
   const Displacements<3>& displacementsBefore_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -17,9 +18,15 @@ class LeafField {
   /// values(sample) returns the value at a vertex of the leaf.
   template <class Values>
   void add(const TaggedSimplex<3>& leaf, Values values) {
-    const LinearFunction<3> linear(hierarchy_, leaf,
-                                   [&](const auto& v) { return values(hierarchy_.position(v)); });
-    fill(leaf, linear);
+    // A smaller value is the rounding of others.
+    constexpr double kRounding = 1e-7;
+    double largest = 0;
+    const LinearFunction<3> linear(hierarchy_, leaf, [&](const auto& v) {
+      const double value = values(hierarchy_.position(v));
+      largest = std::max(largest, std::abs(value));
+      return value;
+    });
+    fill(leaf, linear, largest * kRounding);
   }
   /// Propagates signs to the samples outside all crossing leaves; `positive` is the sign if there
   /// are no such leaves.
@@ -35,7 +42,8 @@ class LeafField {
                static_cast<size_t>(box[0] + 1) +
            static_cast<size_t>(v[0]);
   }
-  void fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear);
+  /// `least`: the size that every sample has at least.
+  void fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear, double least);
 
   Hierarchy<3> hierarchy_;
   std::vector<float> samples_;  // NaN: unknown

@@ -1,6 +1,7 @@
 // One chunk of a level: its signs, displacements and scalars, coded without its neighbours.
 #pragma once
 
+#include <bit>
 #include <memory>
 
 #include "coding/geometry_state.h"
@@ -159,8 +160,15 @@ class ChunkState {
       const std::size_t brick = signs_.table().brickIndexOf(other);
       if (halo_[brick] == 0 || signs_.at(other) == (value > 0)) return;
       auto& theirs = geometry_.scalars.writable(brick).value[numberOf<D>(other)];
-      if (theirs == Scalars<D>::kUnknown) theirs = -value;
+      theirs = theirs == Scalars<D>::kUnknown ? -value : between(theirs, value);
     });
+  }
+  /// A value of `theirs`' sign, about as far from one size as from the other.
+  [[nodiscard]] static int32_t between(int32_t theirs, int32_t own) {
+    const int bits = std::bit_width(static_cast<uint32_t>(std::abs(theirs))) +
+                     std::bit_width(static_cast<uint32_t>(std::abs(own)));
+    const int32_t size = int32_t{1} << (bits / 2 - 1);
+    return theirs > 0 ? size : -size;
   }
 
   std::vector<std::size_t> indices_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "coding/chunked_level.h"
@@ -54,7 +55,7 @@ class ChunkDecoder {
     if (needed > budget.memory) return {Error::OverLimit};
     budget.memory -= needed;
     typename ChunkedLevel<D>::Chunks chunks(head.sections.size());
-    const Error error = run(arrived, budget, [&](std::size_t i, const Budget& most) {
+    const Error error = run(sections, arrived, budget, [&](std::size_t i, const Budget& most) {
       chunks[i] = ChunkedLevel<D>::next(whole, i);
       if (sections[i].empty()) return emptySection(chunks[i]->hasSigns());
       RefinementCoder<D> coder = whole.refinement;
@@ -85,14 +86,15 @@ class ChunkDecoder {
       inputs[i] = input;
     }
     auto& chunks = level_.chunks();
-    const Error error = run(sections.size(), budget, [&](std::size_t i, const Budget& most) {
-      if (sections[i].empty())
-        return emptySection(chunks[i]->hasGeometry() && !isTorn(head, sections, i));
-      if (!inputs[i]) return Piece{};
-      return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
-        chunks[i]->codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
-      });
-    });
+    const Error error =
+        run(sections, sections.size(), budget, [&](std::size_t i, const Budget& most) {
+          if (sections[i].empty())
+            return emptySection(chunks[i]->hasGeometry() && !isTorn(head, sections, i));
+          if (!inputs[i]) return Piece{};
+          return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
+            chunks[i]->codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
+          });
+        });
     if (coded) level_.finishPass(*coded, !torn, whole);
     return {error, error == Error::None};
   }
@@ -120,16 +122,24 @@ class ChunkDecoder {
             exchange.work()};
   }
 
-  /// Calls decodeChunk(number, budget) for each chunk; the first error in their order counts, so
-  /// that it does not depend on the order of work.
+  /// Calls decodeChunk(number, budget) for each of the first `count` chunks, long sections first,
+  /// so that threads end at about the same time. The first error in the chunks' order counts: it
+  /// does not depend on the order of work.
   template <class DecodeChunk>
-  Error run(std::size_t count, Budget& budget, DecodeChunk decodeChunk) {
+  Error run(Reconstruction::Sections sections, std::size_t count, Budget& budget,
+            DecodeChunk decodeChunk) {
     std::vector<Piece> pieces(count);
+    std::vector<std::size_t> order(kTogether);
     for (std::size_t first = 0; first < count; first += kTogether) {
       const std::size_t together = std::min(kTogether, count - first);
+      order.resize(together);
+      std::iota(order.begin(), order.end(), first);
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return sections[a].size() > sections[b].size();
+      });
       const Budget most{budget.memory / kTogether, budget.decisions / kTogether};
       runAll(runTasks_, together,
-             [&](std::size_t i) { pieces[first + i] = decodeChunk(first + i, most); });
+             [&](std::size_t i) { pieces[order[i]] = decodeChunk(order[i], most); });
       for (std::size_t i = first; i < first + together; ++i) {
         budget.decisions -= std::min(pieces[i].work, budget.decisions);
         if (pieces[i].error != Error::None) return pieces[i].error;

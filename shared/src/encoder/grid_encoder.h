@@ -140,11 +140,21 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
     }
   }
   header.chunkSide = chunkSideOf<D>(header, options);
-  UniformWriter<D> layers(header, options, sources.front());
-  const double largest = codeUniform(layers, header, sources);
+  std::optional<UniformWriter<D>> layers;
+  double largest = 0;
+  const auto code = [&] {
+    layers.emplace(header, options, sources.front());
+    largest = codeUniform(*layers, header, sources);
+  };
+  code();
+  // What is assumed beyond the borders of chunks may be too far off.
+  if (header.chunkSide != 0 && largest > boundOf(header)) {
+    header.chunkSide = 0;
+    code();
+  }
   // Coarse simplices are used only if they are worth their bytes.
   if (report != nullptr) *report = {.maxError = boundOf(header)};
-  if (adaptive.bytes() != 0 && adaptive.bytes() < layers.coded().bytes())
+  if (adaptive.bytes() != 0 && adaptive.bytes() < layers->coded().bytes())
     return put(adaptiveHeader, adaptive, options, out);
   const bool holds = largest <= boundOf(header);
   if (report != nullptr) *report = {.maxError = largest, .holds = holds};
@@ -152,7 +162,7 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   if (!holds && (!options.bestEffort || header.trimmed)) return Error::BadArgument;
   if (!holds) header.lossless = false;
   if (!header.lossless && !header.trimmed) header.maxError = std::max(header.maxError, largest);
-  return put(header, layers.coded(), options, out);
+  return put(header, layers->coded(), options, out);
 }
 
 }  // namespace isostar

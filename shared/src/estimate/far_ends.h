@@ -13,7 +13,7 @@ class FarEnds {
  public:
   /// How far a crossing may move along an edge of the RBMT, in 1/65536 of the edge, by the set of
   /// axes along which the edge runs. The last entry, the cell's diagonal, is 0 if diagonals do not
-  /// count.
+  /// count, and 1 if they do, but nothing may move.
   using Allowed = std::array<uint32_t, (1u << D)>;
 
   /// Sets the brick's gradient, as Scalars store it: magnitudes are scaled by it so that products
@@ -76,7 +76,7 @@ class FarEnds {
       // A diagonal's ends are even on all its axes, or odd on all.
       if (!std::has_single_bit(axes) && axes != 0 &&
           ((parity & axes) == 0 || (parity & axes) == axes))
-        count = add(here[offset], mine, allowed[axes], count);
+        count = add(here[offset], mine, allowed[axes] == 1 ? 0 : allowed[axes], count);
       for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
     }
     return count;

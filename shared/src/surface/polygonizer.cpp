@@ -52,7 +52,8 @@ class Polygonization {
   /// False if there are too many.
   [[nodiscard]] bool countVertices(std::size_t pieces) {
     const uint64_t most = std::min(limits_.vertices, kMostVertices);
-    std::vector<uint64_t> counts(pieces);
+    std::vector<uint64_t>& counts = firstVertex_;
+    counts.assign(pieces, 0);
     runAll(runTasks_, pieces, [&](std::size_t piece) {
       uint64_t& count = counts[piece];
       for (std::size_t slot = boundary(piece, pieces);
@@ -93,7 +94,12 @@ class Polygonization {
     std::vector<std::vector<uint32_t>> indices(pieces);
     std::vector<uint8_t> made(pieces);
     runAll(runTasks_, pieces, [&](std::size_t i) {
-      made[i] = piece(indices[i], most).make(boundary(i, pieces), boundary(i + 1, pieces)) ? 1 : 0;
+      MeshPiece part = piece(indices[i], most);
+      const uint64_t end = i + 1 < pieces ? firstVertex_[i + 1] : vertices_;
+      made[i] = part.makeRoom((end - firstVertex_[i]) * kCorners + MeshPiece::kMostOfPlane) &&
+                        part.make(boundary(i, pieces), boundary(i + 1, pieces))
+                    ? 1
+                    : 0;
     });
     if (!std::ranges::all_of(made, [](uint8_t one) { return one != 0; })) {
       indices = {};
@@ -124,6 +130,7 @@ class Polygonization {
   std::vector<float>& depth_;
   EdgeNumbers numbers_;
   uint64_t vertices_ = 0;
+  std::vector<uint64_t> firstVertex_;  // by piece
 };
 
 }  // namespace

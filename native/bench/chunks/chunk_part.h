@@ -18,9 +18,9 @@ struct ChunkModels {
 
 /// A chunk of one level: its signs, then its displacements and scalars. `actual`: the level's
 /// signs, in the chunk's own lattice.
-struct ChunkState {
+struct ChunkPart {
   /// `level`, `coarser`: the signs of the chunk's level and of the one before.
-  ChunkState(const Chunk<3>& chunk, const Signs<3>& level, const Signs<3>& coarser)
+  ChunkPart(const Chunk<3>& chunk, const Signs<3>& level, const Signs<3>& coarser)
       : table(chunk.lattice),
         indices(chunk.indicesIn(level.table(), table, 1)),
         halo(chunk.halo()),
