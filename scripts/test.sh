@@ -14,6 +14,6 @@ node --test tests/node/*.test.mjs || failed=1
 # One browser at a time: two would slow each other down.
 node --test --test-concurrency=1 --test-timeout=120000 tests/browser/*.test.mjs || failed=1
 bash scripts/fuzz.sh "${1:-10}" || failed=1
-bash scripts/sanitize.sh fuzz || failed=1
+bash scripts/sanitize.sh fuzz golden || failed=1
 bash scripts/same-bytes.sh --quick || failed=1
 exit $failed

@@ -43,9 +43,7 @@ Json singleRate(const Subject& subject, const measure::TriangleTree& surface,
   for (const auto& stream :
        encodeSingleRate(subject.volume.view(), subject.isovalue, surface, kSingleRateBounds)) {
     const SampledFunction function = decodeSingleRate(stream.bytes);
-    const Volume volume{.samples = function.samples, .size = function.size, .placement = {}};
-    Mesh mesh;
-    require(polygonize(volume, 0, {.frame = Frame::Grid, .normals = false}, mesh), "polygonize");
+    Mesh mesh = surfaceOf(function);
     toGridSteps(mesh, subject.volume.placement);
     Json json = point(stream.bytes.size(), meter.distance(mesh));
     json["connectivity"] = stream.connectivity;

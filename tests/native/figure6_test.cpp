@@ -147,8 +147,7 @@ TEST(SingleRate, decodesNearTheSource) {
                 .bytes;
         const SampledFunction decoded = decodeSingleRate(stream);
         ASSERT_EQ(decoded.size, field.size);
-        const auto distance =
-            measure::surfaceDistance(source, surfaceOf({decoded.samples, decoded.size, {}}));
+        const auto distance = measure::surfaceDistance(source, surfaceOf(decoded));
         ASSERT_TRUE(distance);
         EXPECT_LE(distance->symmetric().rms, bound);
         EXPECT_NE(stream.size(), before);

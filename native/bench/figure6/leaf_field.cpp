@@ -2,16 +2,14 @@
 
 namespace isostar::bench {
 
-void LeafField::fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear, double least) {
+void LeafField::fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear) {
   for (const auto& v : s.vertices) {
     const auto sample = hierarchy_.position(v);
-    const double value = linear.at(sample);
-    samples_[index(sample)] =
-        static_cast<float>(std::copysign(std::max(std::abs(value), least), value));
+    samples_[index(sample)] = static_cast<float>(linear.at(sample));
   }
   if (s.depth == hierarchy_.maxDepth()) return;
   for (const auto& half : s.halves()) {
-    if (!hierarchy_.flat(half.vertices)) fill(half, linear, least);
+    if (!hierarchy_.flat(half.vertices)) fill(half, linear);
   }
 }
 

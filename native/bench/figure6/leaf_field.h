@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -18,15 +17,9 @@ class LeafField {
   /// values(sample) returns the value at a vertex of the leaf.
   template <class Values>
   void add(const TaggedSimplex<3>& leaf, Values values) {
-    // A smaller value is the rounding of others.
-    constexpr double kRounding = 1e-7;
-    double largest = 0;
-    const LinearFunction<3> linear(hierarchy_, leaf, [&](const auto& v) {
-      const double value = values(hierarchy_.position(v));
-      largest = std::max(largest, std::abs(value));
-      return value;
-    });
-    fill(leaf, linear, largest * kRounding);
+    const LinearFunction<3> linear(hierarchy_, leaf,
+                                   [&](const auto& v) { return values(hierarchy_.position(v)); });
+    fill(leaf, linear);
   }
   /// Propagates signs to the samples outside all crossing leaves; `positive` is the sign if there
   /// are no such leaves.
@@ -42,8 +35,7 @@ class LeafField {
                static_cast<size_t>(box[0] + 1) +
            static_cast<size_t>(v[0]);
   }
-  /// `least`: the size that every sample has at least.
-  void fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear, double least);
+  void fill(const TaggedSimplex<3>& s, const LinearFunction<3>& linear);
 
   Hierarchy<3> hierarchy_;
   std::vector<float> samples_;  // NaN: unknown

@@ -105,4 +105,21 @@ SampledFunction decodeSingleRate(std::span<const std::byte> bytes) {
   return result;
 }
 
+Mesh surfaceOf(const SampledFunction& function) {
+  EncodeOptions options;
+  options.lossless = true;
+  options.bestEffort = true;
+  const Volume volume{.samples = function.samples, .size = function.size};
+  std::vector<std::byte> stream;
+  Mesh mesh;
+  if (encode(volume, options, stream) != Error::None) return mesh;
+  Decoder decoder;
+  decoder.accept(stream);
+  decoder.finish();
+  while (decoder.advance()) {
+  }
+  if (decoder.mesh({.frame = Frame::Grid, .normals = false}, mesh) != Error::None) mesh = {};
+  return mesh;
+}
+
 }  // namespace isostar::bench

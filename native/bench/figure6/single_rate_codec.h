@@ -29,5 +29,8 @@ struct SampledFunction {
   std::array<int32_t, 3> size{};
 };
 [[nodiscard]] SampledFunction decodeSingleRate(std::span<const std::byte>);
+/// Its surface in grid steps, to the precision of a stream: the samples at the ends of an edge may
+/// both be the rounding of larger ones, which polygonize() refuses.
+[[nodiscard]] Mesh surfaceOf(const SampledFunction&);
 
 }  // namespace isostar::bench

@@ -7,6 +7,7 @@
 #include "coding/geometry_state.h"
 #include "coding/signs/refinement_coder.h"
 #include "grid/chunk.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -17,7 +18,8 @@ template <int D>
 class ChunkState {
  public:
   /// `coarser`: the signs of the whole level before. `level`: the table of the chunk's level.
-  ChunkState(const Chunk<D>& chunk, const Signs<D>& coarser, const BrickTable<D>& level)
+  ISOSTAR_COLD ChunkState(const Chunk<D>& chunk, const Signs<D>& coarser,
+                          const BrickTable<D>& level)
       : indices_(chunk.indicesIn(level, BrickTable<D>(chunk.lattice), 1)),
         halo_(chunk.halo()),
         signs_(
@@ -37,7 +39,7 @@ class ChunkState {
   }
 
   /// Does the surface of the coarser level touch the chunk? Then its signs are coded.
-  [[nodiscard]] bool hasSigns() const {
+  [[nodiscard]] ISOSTAR_COLD bool hasSigns() const {
     const auto active = activeBricks(signs_);
     for (std::size_t i = 0; i < halo_.size(); ++i) {
       if (halo_[i] == 0 && active[i] != 0) return true;
@@ -70,21 +72,21 @@ class ChunkState {
     coder.code(exchange, signs_, nullptr, &halo_);
   }
   /// Copies the signs that the chunk owns.
-  void joinSigns(Signs<D>& level) const {
+  ISOSTAR_COLD void joinSigns(Signs<D>& level) const {
     for (std::size_t i = 0; i < indices_.size(); ++i) {
       if (halo_[i] == 0) level.put(indices_[i], signs_.brickAt(i));
     }
   }
 
   /// Clears the marks, by brick index of the level, of the bricks that the chunk owns.
-  void clearOwn(std::vector<uint8_t>& marks) const {
+  ISOSTAR_COLD void clearOwn(std::vector<uint8_t>& marks) const {
     for (std::size_t i = 0; i < indices_.size(); ++i) {
       if (halo_[i] == 0) marks[indices_[i]] = 0;
     }
   }
 
   /// Takes the signs around the chunk from its level, when all chunks are coded.
-  void beginGeometry(const Signs<D>& level) {
+  ISOSTAR_COLD void beginGeometry(const Signs<D>& level) {
     signs_ = cropped(level, signs_.lattice(), indices_);
     geometry_.active = activeBricks(signs_);
     for (std::size_t i = 0; i < halo_.size(); ++i) {
@@ -93,8 +95,8 @@ class ChunkState {
   }
   /// `fitted`: a property of the whole stream.
   template <class Exchange>
-  void codePass(Exchange& exchange, const GeometryPass<D>& pass, SmoothingFilter filter,
-                bool fitted) {
+  ISOSTAR_COLD void codePass(Exchange& exchange, const GeometryPass<D>& pass,
+                             SmoothingFilter filter, bool fitted) {
     // Its models are too large to keep them for each chunk.
     const auto exponents = pass.kind == LayerKind::Exponents ? std::make_unique<ExponentCoder<D>>()
                                                              : std::unique_ptr<ExponentCoder<D>>();
@@ -102,7 +104,7 @@ class ChunkState {
     if (pass.kind == LayerKind::Exponents) assumeFarEnds(pass.members == Members::DiagonalEnds);
   }
   /// Adds the geometry that the chunk owns to that of its level. Later passes change it there, too.
-  void joinGeometry(GeometryState<D>& level) {
+  ISOSTAR_COLD void joinGeometry(GeometryState<D>& level) {
     for (std::size_t i = 0; i < indices_.size(); ++i) {
       if (halo_[i] != 0) continue;
       const std::size_t index = indices_[i];
@@ -123,7 +125,7 @@ class ChunkState {
 
   /// Scalars beyond the border are not known, but how precisely those within must be depends on
   /// them: the surface is taken to cross edges to them halfway, where it is most sensitive.
-  void assumeFarEnds(bool diagonals) {
+  ISOSTAR_COLD void assumeFarEnds(bool diagonals) {
     const auto& table = signs_.table();
     for (std::size_t i = 0; i < halo_.size(); ++i) {
       if (halo_[i] != 0 || !geometry_.scalars.has(i) || !besideHalo(i)) continue;
@@ -133,15 +135,15 @@ class ChunkState {
       }
     }
   }
-  [[nodiscard]] bool besideHalo(std::size_t brickIndex) const {
+  [[nodiscard]] ISOSTAR_COLD bool besideHalo(std::size_t brickIndex) const {
     const auto& table = signs_.table();
     for (const std::size_t other : table.around(table.brick(brickIndex))) {
       if (other != BrickTable<D>::kNowhere && halo_[other] != 0) return true;
     }
     return false;
   }
-  void assumeAround(const Coordinates<D>& v, std::size_t brickIndex, std::size_t number,
-                    bool diagonals) {
+  ISOSTAR_COLD void assumeAround(const Coordinates<D>& v, std::size_t brickIndex,
+                                 std::size_t number, bool diagonals) {
     const int32_t value = geometry_.scalars.at(brickIndex).value[number];
     Coordinates<D> low, high;
     for (int a = 0; a < D; ++a) {

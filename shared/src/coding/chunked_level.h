@@ -3,6 +3,7 @@
 
 #include "coding/chunk_state.h"
 #include "coding/codec_state.h"
+#include "util/cold_path.h"
 #include "util/run_all.h"
 
 namespace isostar {
@@ -17,16 +18,16 @@ class ChunkedLevel {
   [[nodiscard]] Chunks& chunks() { return chunks_; }
 
   /// A chunk of the level after the whole's last one, with no sign coded.
-  [[nodiscard]] static std::unique_ptr<ChunkState<D>> next(const CodecState<D>& whole,
-                                                           std::size_t number) {
+  [[nodiscard]] ISOSTAR_COLD static std::unique_ptr<ChunkState<D>> next(const CodecState<D>& whole,
+                                                                        std::size_t number) {
     const Lattice<D> finer = whole.signs.lattice().finer();
     return std::make_unique<ChunkState<D>>(
         ChunkGrid<D>(finer, whole.header.chunkSide).chunk(number), whole.signs,
         BrickTable<D>(finer));
   }
   /// Makes a level whose signs are all coded the whole's last one.
-  void finishLevel(Chunks chunks, SmoothingFilter filter, CodecState<D>& whole,
-                   const RunTasks& runTasks) {
+  ISOSTAR_COLD void finishLevel(Chunks chunks, SmoothingFilter filter, CodecState<D>& whole,
+                                const RunTasks& runTasks) {
     Signs<D> signs(whole.signs.lattice().finer());
     for (const auto& chunk : chunks) chunk->joinSigns(signs);
     whole.enterLevel(std::move(signs), filter);
@@ -38,8 +39,8 @@ class ChunkedLevel {
     });
   }
   /// Ends the stream within a level, of which the first `arrived` chunks are coded.
-  static void keepUnfinished(const Chunks& chunks, std::size_t arrived, SmoothingFilter filter,
-                             CodecState<D>& whole) {
+  ISOSTAR_COLD static void keepUnfinished(const Chunks& chunks, std::size_t arrived,
+                                          SmoothingFilter filter, CodecState<D>& whole) {
     Signs<D> signs = refined(whole.signs);
     for (std::size_t i = 0; i < arrived; ++i) chunks[i]->joinSigns(signs);
     auto missing = activeBricks(signs);
@@ -48,12 +49,12 @@ class ChunkedLevel {
     whole.keepUnfinished(std::move(signs), std::move(uncoded), filter);
   }
   /// Shows the whole what a pass over all chunks has coded.
-  void finishPass(const GeometryPass<D>& pass, bool complete, CodecState<D>& whole) {
+  ISOSTAR_COLD void finishPass(const GeometryPass<D>& pass, bool complete, CodecState<D>& whole) {
     whole.beginPass(pass);
     for (auto& chunk : chunks_) chunk->joinGeometry(whole);
     whole.endPass(pass, complete);
   }
-  [[nodiscard]] uint64_t memory() const {
+  [[nodiscard]] ISOSTAR_COLD uint64_t memory() const {
     uint64_t sum = 0;
     for (const auto& chunk : chunks_) sum += chunk->memory();
     return sum;

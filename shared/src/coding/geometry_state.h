@@ -6,6 +6,7 @@
 #include "coding/geometry/geometry_pass.h"
 #include "coding/geometry/magnitude_coder.h"
 #include "estimate/hints.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -22,10 +23,11 @@ struct GeometryState {
   MagnitudeCoder<D> magnitudes;
 
   /// Codes a pass; `active` must be set. `fitted`: a property of the whole stream. `exponents`:
-  /// used in a pass of that kind.
+  /// used in a pass of that kind. Not inlined, to keep the WebAssembly decoder small.
   template <class Exchange>
-  void codePass(Exchange& exchange, const Signs<D>& signs, const GeometryPass<D>& pass,
-                SmoothingFilter filter, bool fitted, ExponentCoder<D>* exponents) {
+  [[gnu::noinline]] void codePass(Exchange& exchange, const Signs<D>& signs,
+                                  const GeometryPass<D>& pass, SmoothingFilter filter, bool fitted,
+                                  ExponentCoder<D>* exponents) {
     beginPass(pass);
     if (pass.kind == LayerKind::Displacement)
       displacing.code(exchange, signs, displacements, pass.displacement, active);
@@ -37,7 +39,7 @@ struct GeometryState {
     endPass(pass, !exchange.exhausted());
   }
 
-  void beginPass(const GeometryPass<D>& pass) {
+  ISOSTAR_COLD void beginPass(const GeometryPass<D>& pass) {
     if (pass.kind == LayerKind::Displacement) {
       if (displacements.tableSize() == 0) displacements = Displacements<D>(active.size());
     } else if (scalars.tableSize() == 0) {

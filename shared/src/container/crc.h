@@ -17,7 +17,8 @@ class Crc {
     addNibble(byte >> 4);
     addNibble(byte & 15);
   }
-  void add(std::span<const std::byte> bytes) {
+  /// Not inlined, to keep the WebAssembly decoder small.
+  [[gnu::noinline]] void add(std::span<const std::byte> bytes) {
     for (const std::byte b : bytes) add(static_cast<uint8_t>(b));
   }
   [[nodiscard]] Sum sum() const { return sum_; }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "coding/chunked_level.h"
 #include "decoder/layer_input.h"
 #include "decoder/reconstruction.h"
+#include "util/cold_path.h"
 #include "util/run_all.h"
 
 namespace isostar {
@@ -44,8 +44,8 @@ class ChunkDecoder {
     uint64_t work = 0;
   };
 
-  Outcome refine(const LayerHead& head, Reconstruction::Sections sections, bool torn,
-                 CodecState<D>& whole, Budget& budget) {
+  ISOSTAR_COLD Outcome refine(const LayerHead& head, Reconstruction::Sections sections, bool torn,
+                              CodecState<D>& whole, Budget& budget) {
     // Of a torn level only whole chunks count.
     const std::size_t arrived =
         sections.size() -
@@ -71,8 +71,8 @@ class ChunkDecoder {
     return {Error::None, true};
   }
 
-  Outcome pass(const LayerHead& head, Reconstruction::Sections sections, bool torn,
-               CodecState<D>& whole, Budget& budget) {
+  ISOSTAR_COLD Outcome pass(const LayerHead& head, Reconstruction::Sections sections, bool torn,
+                            CodecState<D>& whole, Budget& budget) {
     std::vector<std::optional<LayerInput<D>>> inputs(sections.size());
     std::optional<GeometryPass<D>> coded;
     for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -129,14 +129,15 @@ class ChunkDecoder {
   Error run(Reconstruction::Sections sections, std::size_t count, Budget& budget,
             DecodeChunk decodeChunk) {
     std::vector<Piece> pieces(count);
-    std::vector<std::size_t> order(kTogether);
+    std::array<std::size_t, kTogether> order;
     for (std::size_t first = 0; first < count; first += kTogether) {
       const std::size_t together = std::min(kTogether, count - first);
-      order.resize(together);
-      std::iota(order.begin(), order.end(), first);
-      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return sections[a].size() > sections[b].size();
-      });
+      for (std::size_t i = 0; i < together; ++i) {
+        std::size_t at = i;
+        for (; at > 0 && sections[order[at - 1]].size() < sections[first + i].size(); --at)
+          order[at] = order[at - 1];
+        order[at] = first + i;
+      }
       const Budget most{budget.memory / kTogether, budget.decisions / kTogether};
       runAll(runTasks_, together,
              [&](std::size_t i) { pieces[order[i]] = decodeChunk(order[i], most); });

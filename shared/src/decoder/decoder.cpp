@@ -142,7 +142,8 @@ ISOSTAR_COLD bool Decoder::State::readHeader() {
 
 /// Finds the sections of a layer in its bytes, as far as these have arrived; the last one may be
 /// incomplete. False if one that is complete is damaged.
-bool Decoder::State::findSections(const LayerHead& head, std::span<const std::byte> bytes) {
+ISOSTAR_COLD bool Decoder::State::findSections(const LayerHead& head,
+                                               std::span<const std::byte> bytes) {
   sections.clear();
   const std::size_t layer = info.layers.size();
   if (head.sections.empty()) {
@@ -165,7 +166,8 @@ bool Decoder::State::findSections(const LayerHead& head, std::span<const std::by
 }
 
 /// Decodes a layer whose last bytes are missing: the surface may be better for what is left.
-bool Decoder::State::decodeTorn(const LayerHead& head, std::span<const std::byte> bytes) {
+ISOSTAR_COLD bool Decoder::State::decodeTorn(const LayerHead& head,
+                                             std::span<const std::byte> bytes) {
   tornShown = true;
   if (!findSections(head, bytes)) return fail(Error::Corrupt);
   const auto [e, better] = reconstruction->decode(head, sections, true);

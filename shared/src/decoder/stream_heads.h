@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "container/stream.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -11,7 +12,7 @@ namespace isostar {
 class StreamHeads {
  public:
   /// The header, and the index if there is one. Truncated: more bytes are needed.
-  Error begin(std::span<const std::byte> stream) {
+  ISOSTAR_COLD Error begin(std::span<const std::byte> stream) {
     Header header;
     std::size_t at = 0;
     if (const Error error = read(stream, header, at); error != Error::None) return error;
@@ -34,8 +35,8 @@ class StreamHeads {
 
   /// Reads the head of the layer that begins at `at`, the number `layer` of the stream. Corrupt if
   /// head and layer do not fit into the rest. `used`: of its bytes.
-  Error next(std::span<const std::byte> stream, std::size_t at, std::size_t layer, LayerHead& head,
-             std::size_t& used) const {
+  ISOSTAR_COLD Error next(std::span<const std::byte> stream, std::size_t at, std::size_t layer,
+                          LayerHead& head, std::size_t& used) const {
     if (layer == kMostLayers) return Error::Corrupt;
     if (header_.chunkSide != 0) {
       if (layer == index_.heads.size()) return Error::Corrupt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/signs.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -21,8 +22,9 @@ struct Chunk {
   /// For each brick of a table of this chunk's own, its index in the table of the whole level;
   /// BrickTable::kNowhere for one beyond the whole lattice. `step`: 1 for this level, 2 for the
   /// next coarser one.
-  [[nodiscard]] std::vector<std::size_t> indicesIn(const BrickTable<D>& whole,
-                                                   const BrickTable<D>& own, int32_t step) const {
+  [[nodiscard]] ISOSTAR_COLD std::vector<std::size_t> indicesIn(const BrickTable<D>& whole,
+                                                                const BrickTable<D>& own,
+                                                                int32_t step) const {
     std::vector<std::size_t> indices(own.total());
     for (std::size_t i = 0; i < indices.size(); ++i) {
       auto brick = own.brick(i);
@@ -36,7 +38,7 @@ struct Chunk {
     return indices;
   }
   /// By brick index in the table of `lattice`: 1 for a brick of the halo.
-  [[nodiscard]] std::vector<uint8_t> halo() const {
+  [[nodiscard]] ISOSTAR_COLD std::vector<uint8_t> halo() const {
     const BrickTable<D> own(lattice);
     std::vector<uint8_t> marks(own.total());
     for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -66,7 +68,7 @@ class ChunkGrid {
     return total;
   }
   /// Chunk 0 … total() - 1, the first axis being the fastest.
-  [[nodiscard]] Chunk<D> chunk(std::size_t number) const {
+  [[nodiscard]] ISOSTAR_COLD Chunk<D> chunk(std::size_t number) const {
     Chunk<D> chunk;
     Coordinates<D> box;
     for (int a = 0; a < D; ++a) {
@@ -95,8 +97,8 @@ class ChunkGrid {
 
 /// The signs of a part of a lattice. `indices`: as of Chunk::indicesIn().
 template <int D>
-[[nodiscard]] Signs<D> cropped(const Signs<D>& whole, const Lattice<D>& part,
-                               const std::vector<std::size_t>& indices) {
+[[nodiscard]] ISOSTAR_COLD Signs<D> cropped(const Signs<D>& whole, const Lattice<D>& part,
+                                            const std::vector<std::size_t>& indices) {
   Signs<D> signs(part);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] != BrickTable<D>::kNowhere) signs.put(i, whole.brickAt(indices[i]));

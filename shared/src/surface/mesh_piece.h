@@ -32,7 +32,7 @@ class MeshPiece {
         most_(most) {}
 
   /// Makes the bricks of the slots first … end - 1. False if the limit does not allow it.
-  [[nodiscard]] bool make(std::size_t first, std::size_t end) {
+  [[nodiscard, gnu::noinline]] bool make(std::size_t first, std::size_t end) {
     for (std::size_t slot = first; slot < end; ++slot) {
       placeVertices(slot);
       findVerticesAhead(slot);

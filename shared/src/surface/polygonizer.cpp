@@ -29,7 +29,9 @@ class Polygonization {
     if (held_ > limits_.memory) return Error::OverLimit;
     numbers_.makeRoom();
     const std::size_t pieces =
-        runTasks_ ? std::clamp<std::size_t>(numbers_.bricks() / kFewestBricks, 1, kMostPieces) : 1;
+        kRunsTasks && runTasks_
+            ? std::clamp<std::size_t>(numbers_.bricks() / kFewestBricks, 1, kMostPieces)
+            : 1;
     if (!countVertices(pieces)) return Error::OverLimit;
     const bool ends = surface_.domain != nullptr;
     held_ += vertices_ * ((options_.normals ? 6 : 3) + (ends ? 1 : 0)) * sizeof(float);

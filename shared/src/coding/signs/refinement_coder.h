@@ -22,10 +22,11 @@ class RefinementCoder {
   /// early, everything before a few bricks is then known. For an adaptive mesh `absent` is the set
   /// of absent vertices: the first bisection codes which crossing cells are kept, and a vertex with
   /// an absent one in its diamond is absent too, so that the mesh conforms. `foreign`: marks, by
-  /// brick index, bricks that are not coded; they keep the signs that they have.
+  /// brick index, bricks that are not coded; they keep the signs that they have. Not inlined, to
+  /// keep the WebAssembly decoder small.
   template <SignExchange Exchange>
-  void code(Exchange& exchange, Signs<D>& signs, Signs<D>* absent = nullptr,
-            const std::vector<uint8_t>* foreign = nullptr) {
+  [[gnu::noinline]] void code(Exchange& exchange, Signs<D>& signs, Signs<D>* absent = nullptr,
+                              const std::vector<uint8_t>* foreign = nullptr) {
     absent_ = absent;
     active_ = activeBricks(signs);
     if (absent != nullptr) {
