@@ -76,7 +76,8 @@ class Chunking {
     std::vector<std::byte> joint;
     RangeEncoder jointCoder(joint);
     for (ChunkPart& chunk : chunks_) {
-      if (options_.seesScalars) fillHalo(chunk, scalars, displacements);
+      if (options_.seesScalars && head.kind != LayerKind::Refinement)
+        fillHalo(chunk, scalars, displacements);
       const CodedLayer field(chunk, whole_, scalars, displacements, input.pass.displacement);
       if (!chunk.models) {
         code(jointCoder, chunk, *coarse_, field, head, input);
