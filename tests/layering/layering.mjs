@@ -80,8 +80,7 @@ function offenceOutside(path, { target }) {
   const parts = COMPARISONS[Object.keys(COMPARISONS).find((folder) => path.startsWith(folder))];
   const part = folderOf(target);
   const isInternal = ARROWS[part] && part !== 'api';
-  if (isInternal && !parts?.includes(part))
-    return `may not include ${target}`;
+  if (isInternal && !parts?.includes(part)) return `may not include ${target}`;
   return /shared\/|src\//.test(target) ? `may not include ${target}` : null;
 }
 
