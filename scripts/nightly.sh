@@ -6,7 +6,8 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 
 failed=0
-bash scripts/test.sh "${1:-60}" || failed=1
+bash scripts/test.sh || failed=1
+bash scripts/fuzz.sh "${1:-60}" || failed=1
 bash scripts/sanitize.sh || failed=1
 bash scripts/same-bytes.sh || failed=1
 exit $failed

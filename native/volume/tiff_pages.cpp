@@ -1,5 +1,6 @@
 #include "volume/tiff_pages.h"
 
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <set>
@@ -32,6 +33,9 @@ class PageList {
       if (size.width != first.width || size.height != first.height)
         throw Failure(path_, text("page %zu is %llu x %llu, the first %llu x %llu", seen.size(),
                                   size.width, size.height, first.width, first.height));
+      if (size.samples != first.samples)
+        throw Failure(path_,
+                      text("page %zu has samples of another type than the first", seen.size()));
     }
   }
 
@@ -39,16 +43,23 @@ class PageList {
   struct Size {
     unsigned long long width = 0, height = 0;
     bool thumbnail = false;
+    /// Bits, channels, planes or pixels, and format; the defaults of TIFF.
+    std::array<uint64_t, 4> samples{1, 1, 1, 1};
   };
 
   static constexpr uint64_t kKindOfPage = 254, kWidth = 256, kHeight = 257;
+  static constexpr std::array<uint64_t, 4> kSamples{258, 277, 284, 339};
 
   Size readDirectory() {
     Size size;
     for (uint64_t entries = number(large_ ? 8 : 2); entries > 0; --entries) {
       const uint64_t tag = number(2), type = number(2);
-      number(large_ ? 8 : 4);
+      const uint64_t count = number(large_ ? 8 : 4);
       const uint64_t value = readValue(type);
+      // Several values may lie elsewhere in the file: only their number is compared.
+      for (size_t i = 0; i < kSamples.size(); ++i) {
+        if (tag == kSamples[i]) size.samples[i] = count == 1 ? value : count << 32;
+      }
       if (tag == kKindOfPage) size.thumbnail = value & 1;
       if (tag == kWidth) size.width = value;
       if (tag == kHeight) size.height = value;

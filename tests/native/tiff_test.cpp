@@ -70,6 +70,15 @@ TEST_F(Tiff, refusesPagesOfDifferentSize) {
   EXPECT_NE(found.find("page 2 is 3 x 5, the first 4 x 4"), std::string::npos) << found;
 }
 
+TEST_F(Tiff, refusesPagesOfDifferentSamples) {
+  std::string file = tiff({page(0), page(6), page(12)});
+  // The last page's bits a sample, in the third entry of its directory.
+  const size_t bits = file.rfind(bytesOf(uint16_t{258}));
+  file.replace(bits + 8, 2, bytesOf(uint16_t{1}));
+  const std::string found = complaint(write("v.tif", file));
+  EXPECT_NE(found.find("page 3 has samples of another type"), std::string::npos) << found;
+}
+
 TEST_F(Tiff, readsOnePageAsAnImageFromZeroToOne) {
   const LoadedVolume grey = readPath(write("v.tif", tiff({{2, 1, std::string("\x33\xFF", 2)}})));
   EXPECT_EQ(grey.dimension, 2);
