@@ -65,9 +65,7 @@ Error withSource(std::span<const float> samples, std::span<const float> domain, 
 Error polygonize(const Volume& volume, double isovalue, const MeshOptions& options, Mesh& out) {
   return withSource<3>(
       volume.samples, volume.domain, headerOf(volume), isovalue, options.polygonizer,
-      [&](const Surface<3>& surface) {
-        return polygonize(surface, options, kUnlimited, {}, out);
-      });
+      [&](const Surface<3>& surface) { return polygonize(surface, options, kUnlimited, {}, out); });
 }
 
 Error polygonize(const Image& image, double isovalue, const MeshOptions& options, Contours& out) {
