@@ -34,8 +34,8 @@ class ChunkState {
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   /// Bytes in use, beside models.
   [[nodiscard]] uint64_t memory() const {
-    return signs_.memory() + halo_.size() * (sizeof(std::size_t) + 2) + geometry_.scalars.memory() +
-           geometry_.displacements.memory();
+    return sizeof(ChunkState) + signs_.memory() + halo_.size() * (sizeof(std::size_t) + 2) +
+           geometry_.scalars.memory() + geometry_.displacements.memory();
   }
 
   /// Does the surface of the coarser level touch the chunk? Then its signs are coded.

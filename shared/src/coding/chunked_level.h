@@ -54,6 +54,18 @@ class ChunkedLevel {
     for (auto& chunk : chunks_) chunk->joinGeometry(whole);
     whole.endPass(pass, complete);
   }
+  /// Bytes of the chunks of the level after the whole's last one, without what is coded in them.
+  [[nodiscard]] ISOSTAR_COLD static uint64_t memoryOf(const CodecState<D>& whole) {
+    // By brick: an index, a mark each of the halo and of activity, slots of signs, displacements
+    // and scalars, a gradient; and of the coarser level while signs are refined.
+    constexpr uint64_t kBytesPerBrick = sizeof(std::size_t) + 3 + 3 * sizeof(uint32_t) + 16;
+    const auto side =
+        static_cast<uint64_t>(whole.header.chunkSide / kBrickSide + 2 * Chunk<D>::kHalo);
+    uint64_t bricks = 1;
+    for (int a = 0; a < D; ++a) bricks *= side;
+    bricks = std::min<uint64_t>(bricks, BrickTable<D>(whole.signs.lattice().finer()).total());
+    return whole.header.chunks(whole.level + 1) * (sizeof(ChunkState<D>) + bricks * kBytesPerBrick);
+  }
   [[nodiscard]] ISOSTAR_COLD uint64_t memory() const {
     uint64_t sum = 0;
     for (const auto& chunk : chunks_) sum += chunk->memory();

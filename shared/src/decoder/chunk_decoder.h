@@ -151,7 +151,7 @@ class ChunkDecoder {
 
   [[nodiscard]] static uint64_t memoryToRefine(const CodecState<D>& whole) {
     // Signs in chunks with their halo, and joined.
-    return 3 * whole.memoryToRefine();
+    return 3 * whole.memoryToRefine() + ChunkedLevel<D>::memoryOf(whole);
   }
 
   const RunTasks& runTasks_;

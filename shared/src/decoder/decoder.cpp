@@ -55,7 +55,8 @@ Error inspect(std::span<const std::byte> stream, StreamInfo& out) {
   if (const Error error = heads.begin(stream); error != Error::None) return error;
   std::size_t at = heads.start();
   StreamInfo info = describeHeader(heads);
-  while (at < info.bytes && (at < stream.size() || heads.header().chunkSide != 0)) {
+  while (!heads.isEnd(at, info.layers.size()) &&
+         (at < stream.size() || heads.header().chunkSide != 0)) {
     LayerHead head;
     std::size_t used = 0;
     const Error error = heads.next(stream, at, info.layers.size(), head, used);
@@ -89,7 +90,7 @@ struct Decoder::State {
     return header.spans(options.isovalue.value_or(header.isovalue)) ? Error::None
                                                                     : Error::BadArgument;
   }
-  [[nodiscard]] bool isFinal() const { return heads && at == info.bytes; }
+  [[nodiscard]] bool isFinal() const { return heads && heads->isEnd(at, info.layers.size()); }
 
   Limits limits;
   RunTasks runTasks;

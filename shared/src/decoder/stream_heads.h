@@ -33,6 +33,11 @@ class StreamHeads {
   [[nodiscard]] std::size_t start() const { return header_.chunkSide != 0 ? index_.end : start_; }
   [[nodiscard]] uint64_t end() const { return start_ + header_.bytes; }
 
+  /// Is `at`, where the number `layer` would begin, behind the last one? Layers in chunks may have
+  /// no bytes.
+  [[nodiscard]] bool isEnd(std::size_t at, std::size_t layer) const {
+    return header_.chunkSide != 0 ? layer == index_.heads.size() : at == end();
+  }
   /// Reads the head of the layer that begins at `at`, the number `layer` of the stream. Corrupt if
   /// head and layer do not fit into the rest. `used`: of its bytes.
   ISOSTAR_COLD Error next(std::span<const std::byte> stream, std::size_t at, std::size_t layer,
