@@ -109,7 +109,8 @@ Mesh surfaceOf(const SampledFunction& function) {
   EncodeOptions options;
   options.lossless = true;
   options.bestEffort = true;
-  const Volume volume{.samples = function.samples, .size = function.size};
+  const Volume volume{
+      .samples = function.samples, .size = function.size, .placement = {}, .domain = {}};
   std::vector<std::byte> stream;
   Mesh mesh;
   if (encode(volume, options, stream) != Error::None) return mesh;
