@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs every test: format, names, C++, types, Node, browser, fuzzers, sanitizers. Each
-# runner prints its own summary; the others run even if one fails. `test.sh [SECONDS]`: how long each
-# fuzzer runs, by default 10.
+# Runs every test: format, names, C++, types, Node, browser, fuzzers, sanitizers. Each runner prints
+# its own summary; the others run even if one fails. `test.sh [SECONDS]`: how long each fuzzer runs,
+# by default 10.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 

@@ -29,25 +29,19 @@ std::vector<std::byte> codedSection(LayerKind kind, const GeometryPass<D>& pass,
 class CodedLayers {
  public:
   void add(LayerHead head, LayerSections sections) {
-    for (const auto& section : sections) {
-      std::vector<std::byte> alone;
-      append(alone, head, section, 0);
-      bytes_ += alone.size();
-    }
     heads_.push_back(std::move(head));
     layers_.push_back(std::move(sections));
   }
 
   /// Of all sections, with a head for each.
-  [[nodiscard]] uint64_t bytes() const { return bytes_; }
+  [[nodiscard]] uint64_t bytes() const { return withHeads().size(); }
   /// Appends the stream.
   void write(Header header, std::vector<std::byte>& out) const {
     if (header.chunkSide != 0) {
       append(out, header, heads_, layers_);
       return;
     }
-    std::vector<std::byte> bytes;
-    for (std::size_t i = 0; i < heads_.size(); ++i) append(bytes, heads_[i], layers_[i].front(), i);
+    const std::vector<std::byte> bytes = withHeads();
     header.bytes = bytes.size();
     ByteWriter writer(out);
     isostar::write(writer, header);
@@ -55,9 +49,16 @@ class CodedLayers {
   }
 
  private:
+  [[nodiscard]] std::vector<std::byte> withHeads() const {
+    std::vector<std::byte> bytes;
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      for (const auto& section : layers_[i]) append(bytes, heads_[i], section, i);
+    }
+    return bytes;
+  }
+
   std::vector<LayerHead> heads_;
   std::vector<LayerSections> layers_;
-  uint64_t bytes_ = 0;
 };
 
 }  // namespace isostar
