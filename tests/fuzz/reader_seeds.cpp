@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh_io/mesh_file.h"
-#include "native/byte_string.h"
+#include "native/dicom_element.h"
 #include "property/sampled_field.h"
 #include "seed_folder.h"
 
@@ -16,6 +16,7 @@ namespace isostar {
 namespace {
 
 using native::bytesOf;
+using native::element;
 
 /// The samples of the volumes: 2 × 3 × 4, with a surface between them.
 template <class Value>
@@ -168,20 +169,6 @@ void writeMeshes(const std::filesystem::path& folder) {
           "endloop\nendfacet\nendsolid a\n");
   SeedFolder(folder / "obj" / "text")
       .write("# a\no b\nv 0 0 0\nv 1e0 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nf 1/1/1 2//1 -1 3\n");
-}
-
-/// One explicit little-endian element.
-std::string element(uint16_t group, uint16_t number, const std::string& kind, std::string value) {
-  if (value.size() % 2 != 0) value += kind == "UI" ? '\0' : ' ';
-  const bool longForm = kind == "OB" || kind == "OW";
-  return bytesOf(group) + bytesOf(number) + kind +
-         (longForm ? std::string(2, '\0') + bytesOf(static_cast<uint32_t>(value.size()))
-                   : bytesOf(static_cast<uint16_t>(value.size()))) +
-         value;
-}
-
-std::string element(uint16_t group, uint16_t number, uint16_t value) {
-  return element(group, number, "US", bytesOf(value));
 }
 
 /// A CT slice of 2 × 3 shorts.

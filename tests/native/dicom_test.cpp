@@ -1,25 +1,12 @@
 #include <cstdio>
 
 #include "byte_string.h"
+#include "dicom_element.h"
 #include "scratch_folder.h"
 #include "volume_checks.h"
 
 namespace isostar::native {
 namespace {
-
-/// One explicit little-endian element.
-std::string element(uint16_t group, uint16_t number, const std::string& kind, std::string value) {
-  if (value.size() % 2) value += kind == "UI" ? '\0' : ' ';
-  const bool longForm = kind == "OB" || kind == "OW";
-  return bytesOf(group) + bytesOf(number) + kind +
-         (longForm ? std::string(2, '\0') + bytesOf(static_cast<uint32_t>(value.size()))
-                   : bytesOf(static_cast<uint16_t>(value.size()))) +
-         value;
-}
-
-std::string element(uint16_t group, uint16_t number, uint16_t value) {
-  return element(group, number, "US", bytesOf(value));
-}
 
 struct SliceAt {
   std::string position = "0\\0\\0", orientation = "1\\0\\0\\0\\1\\0", series = "1.2.3", slope = "1";
