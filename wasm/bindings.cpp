@@ -59,6 +59,7 @@ val describeStream(const isostar::StreamInfo& info) {
       val(info.polygonizer == isostar::Polygonizer::Cubes ? "cubes" : "tetrahedra"));
   put(out, "lossless", val(info.lossless));
   put(out, "effort", info.effort);
+  put(out, "chunkSide", info.chunkSide);
   put(out, "maxError", info.maxError);
   put(out, "vertices", double(info.vertices));
   put(out, "headerBytes", double(info.headerBytes));
@@ -86,12 +87,33 @@ class RawDecoder {
   RawDecoder(double memory, double samples, double vertices, double decisions)
       : decoder_(limitsOf(memory, samples, vertices, decisions)) {}
 
-  /// A view of n bytes of this module's memory, to be filled immediately, before accept(n).
+  /// A view of n bytes of this module's memory, to be filled immediately, before accept(n, …).
   val room(size_t n) {
     room_.resize(n);
     return viewOf(room_);
   }
-  void accept(size_t n) { decoder_.accept(std::as_bytes(std::span(room_).first(n))); }
+  /// `offset`: where in the stream the bytes begin.
+  void accept(size_t n, double offset) { decoder_.accept(given(n), static_cast<uint64_t>(offset)); }
+  /// Of the first wanted bytes at `from` or after.
+  double wantedBegin(double from) const { return double(wanted(from).begin); }
+  double wantedEnd(double from) const { return double(wanted(from).end); }
+  std::string setRegion(double x0, double y0, double z0, double x1, double y1, double z1,
+                        isostar::Frame frame) {
+    return isostar::name(decoder_.setRegion({{x0, y0, z0}, {x1, y1, z1}, frame}));
+  }
+
+  std::string setShare(int number, int of) {
+    return isostar::name(decoder_.setShare({number, of}));
+  }
+  bool needsOthers() const { return decoder_.needsOthers(); }
+  /// Valid until the next call.
+  val results() {
+    results_ = decoder_.results();
+    return val(emscripten::typed_memory_view(results_.size(),
+                                             reinterpret_cast<const uint8_t*>(results_.data())));
+  }
+  bool takeResults(size_t n) { return decoder_.takeResults(given(n)); }
+
   void finish() { decoder_.finish(); }
   /// Frees the last mesh first: decoding may need its memory.
   bool advance() {
@@ -111,16 +133,30 @@ class RawDecoder {
                        double isovalue) {
     isostar::MeshOptions options{polygonizer, frame, normals};
     options.isovalue = isovalue;
-    return isostar::name(decoder_.mesh(options, mesh_));
+    return isostar::name(decoder_.mesh(options, mesh_, runs_));
   }
   val positions() const { return viewOf(mesh_.positions); }
   val normals() const { return viewOf(mesh_.normals); }
   val indices() const { return viewOf(mesh_.indices); }
+  /// Four numbers a run: those of MeshRun.
+  val runs() const {
+    return val(emscripten::typed_memory_view(runs_.size() * 4,
+                                             reinterpret_cast<const uint32_t*>(runs_.data())));
+  }
 
  private:
+  isostar::ByteRange wanted(double from) const {
+    return decoder_.wanted(static_cast<uint64_t>(from));
+  }
+  std::span<const std::byte> given(size_t n) const {
+    return std::as_bytes(std::span(room_).first(n));
+  }
+
   isostar::Decoder decoder_;
   std::vector<uint8_t> room_;
   isostar::Mesh mesh_;
+  std::vector<isostar::MeshRun> runs_;
+  std::vector<std::byte> results_;
 };
 
 }  // namespace
@@ -144,6 +180,13 @@ EMSCRIPTEN_BINDINGS(isostar) {
       .constructor<double, double, double, double>()
       .function("room", &RawDecoder::room)
       .function("accept", &RawDecoder::accept)
+      .function("wantedBegin", &RawDecoder::wantedBegin)
+      .function("wantedEnd", &RawDecoder::wantedEnd)
+      .function("setRegion", &RawDecoder::setRegion)
+      .function("setShare", &RawDecoder::setShare)
+      .function("needsOthers", &RawDecoder::needsOthers)
+      .function("results", &RawDecoder::results)
+      .function("takeResults", &RawDecoder::takeResults)
       .function("finish", &RawDecoder::finish)
       .function("advance", &RawDecoder::advance)
       .function("isFinal", &RawDecoder::isFinal)
@@ -156,5 +199,6 @@ EMSCRIPTEN_BINDINGS(isostar) {
       .function("makeMesh", &RawDecoder::makeMesh)
       .function("positions", &RawDecoder::positions)
       .function("normals", &RawDecoder::normals)
-      .function("indices", &RawDecoder::indices);
+      .function("indices", &RawDecoder::indices)
+      .function("runs", &RawDecoder::runs);
 }

@@ -25,6 +25,7 @@ struct Arguments {
   std::optional<uint64_t> bytes;
   std::optional<int> level;
   std::optional<double> time;
+  std::optional<Region> region;
   MeshOptions options;
   bool json = false;
 };
@@ -58,12 +59,11 @@ size_t prefixLength(const Arguments& arguments, std::span<const std::byte> strea
   return endOfIsovalue(info, arguments.options.isovalue.value_or(info.isovalues[0]), stream.size());
 }
 
-/// Warns of a file that ends early, unless the user asked for a prefix.
-void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, size_t held) {
-  const bool asked = arguments.bytes || arguments.level;
-  if (!asked && held < decoder.info().bytes)
-    warn(text("%s ends early, after %zu bytes; the surface is level %d of %d",
-              arguments.input.c_str(), held, decoder.level(), decoder.levels() - 1));
+/// Warns of a file that ends early, after `held` bytes.
+void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, uint64_t held) {
+  warn(text("%s ends early, after %llu bytes; the surface is level %d of %d",
+            arguments.input.c_str(), static_cast<unsigned long long>(held), decoder.level(),
+            decoder.levels() - 1));
 }
 
 /// Warns of a prefix that ends inside a layer which is damaged: its first bytes cannot be checked,
@@ -142,6 +142,37 @@ void writeDrawing(const Arguments& arguments, const Decoder& decoder, WorkReport
   report.vertices = contours.points.size() / 2;
 }
 
+/// Decodes the whole stream or the prefix that is asked for.
+Decoder decodePrefix(const Arguments& arguments, WorkReport& report) {
+  const Stopwatch reading;
+  const std::vector<std::byte> stream = readFile(arguments.input);
+  report.io = reading.milliseconds();
+  const Stopwatch decoding;
+  const size_t length = prefixLength(arguments, stream);
+  Decoder decoder = decodeStream(std::span(stream).first(length), arguments.input);
+  report.codec = decoding.milliseconds();
+  report.bytes = length;
+  const bool asked = arguments.bytes || arguments.level;
+  if (!asked && stream.size() < decoder.info().bytes)
+    warnOfMissingBytes(arguments, decoder, stream.size());
+  warnOfDamage(arguments, stream, length, decoder);
+  return decoder;
+}
+
+/// Decodes what the region takes.
+Decoder decodePart(const Arguments& arguments, WorkReport& report) {
+  if (!isRegularFile(arguments.input))
+    throw Failure(arguments.input, "is not a file; --region reads parts of files only");
+  Region region = *arguments.region;
+  region.frame = arguments.options.frame;
+  const Stopwatch decoding;
+  Decoder decoder = decodeRegion(arguments.input, region, report.bytes, report.io);
+  report.codec = decoding.milliseconds() - report.io;
+  if (decoder.error() == Error::Truncated)
+    warnOfMissingBytes(arguments, decoder, fileSize(arguments.input));
+  return decoder;
+}
+
 void run(const Arguments& arguments) {
   if (!isMeshFile(arguments.output) && !isDrawing(arguments.output))
     throw UsageFault(text("%s must end in .ply, .obj, .stl or .glb, or in .svg for an image",
@@ -152,25 +183,15 @@ void run(const Arguments& arguments) {
   requireWritable(arguments.output);
 
   WorkReport report{.work = "decode"};
-  const Stopwatch reading;
-  const std::vector<std::byte> stream = readFile(arguments.input);
-  report.io = reading.milliseconds();
-
-  const Stopwatch decoding;
-  const size_t length = prefixLength(arguments, stream);
-  const Decoder decoder = decodeStream(std::span(stream).first(length), arguments.input);
-  report.codec = decoding.milliseconds();
+  const Decoder decoder =
+      arguments.region ? decodePart(arguments, report) : decodePrefix(arguments, report);
   requireIsovalue(arguments.options.isovalue, decoder.info(), arguments.input);
   requireSuitable(arguments, decoder.info());
-  warnOfMissingBytes(arguments, decoder, stream.size());
-  warnOfDamage(arguments, stream, length, decoder);
-
   if (decoder.info().dimension == 2) {
     writeDrawing(arguments, decoder, report);
   } else {
     writeSurface(arguments, decoder, report);
   }
-  report.bytes = length;
   if (arguments.json) print(report);
   printMessage(decodedLine(arguments, report, decoder));
 }
@@ -191,12 +212,17 @@ void addDecode(CLI::App& app) {
   auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")
                     ->type_name("N")
                     ->check(CLI::NonNegativeNumber.description(""));
-  command
-      .add_option("--level", arguments->level,
-                  "Stop before the first layer above level L, 0 being the coarsest")
-      ->type_name("L")
-      ->check(CLI::NonNegativeNumber.description(""))
-      ->excludes(bytes);
+  auto* level = command
+                    .add_option("--level", arguments->level,
+                                "Stop before the first layer above level L, 0 being the coarsest")
+                    ->type_name("L")
+                    ->check(CLI::NonNegativeNumber.description(""))
+                    ->excludes(bytes);
+  addRegion(command, arguments->region,
+            "Decode a box of a stream in chunks, in the chosen frame, and the rest coarsely; reads "
+            "only what that takes")
+      ->excludes(bytes)
+      ->excludes(level);
   command
       .add_option("--iso", arguments->options.isovalue,
                   "One of the stream's isovalues (default: the first one), or a value between two "

@@ -125,6 +125,25 @@ CLI::Option* addChunk(CLI::App& app, int& side, const std::string& help) {
   return addChoice(app, "--chunk", sides, store, help);
 }
 
+/// A box like "0,0,0,255,255,112".
+CLI::Option* addRegion(CLI::App& app, std::optional<Region>& value, const std::string& help) {
+  const auto store = [&value](const std::string& words) {
+    const std::vector<std::string> parts = CLI::detail::split(words, ',');
+    std::array<double, 6> corners{};
+    bool isBox = parts.size() == corners.size();
+    for (size_t i = 0; isBox && i < corners.size(); ++i)
+      isBox = CLI::detail::lexical_cast(parts[i], corners[i]) && std::isfinite(corners[i]);
+    const auto& [x0, y0, z0, x1, y1, z1] = corners;
+    if (!isBox || x0 > x1 || y0 > y1 || z0 > z1)
+      throw CLI::ValidationError(
+          "--region", text("'%s' is not of the form X0,Y0,Z0,X1,Y1,Z1, the smaller corner first",
+                           words.c_str()));
+    value = Region{{x0, y0, z0}, {x1, y1, z1}};
+  };
+  return app.add_option_function<std::string>("--region", store, help)
+      ->type_name("X0,Y0,Z0,X1,Y1,Z1");
+}
+
 CLI::Option* addThreads(CLI::App& app) {
   constexpr int kMost = 1024;
   const std::function<void(int)> store = [](const int& count) {

@@ -27,6 +27,8 @@ CLI::Option* addSpacing(CLI::App&, std::optional<std::array<double, 3>>&, const 
 
 /// 64, 128 or none, which is 0.
 CLI::Option* addChunk(CLI::App&, int& side, const std::string& help);
+/// --region, in the frame World.
+CLI::Option* addRegion(CLI::App&, std::optional<Region>& value, const std::string& help);
 /// --threads; takes effect at once.
 CLI::Option* addThreads(CLI::App&);
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "cli/messages.h"
 #include "cli/progress_bar.h"
+#include "cli/stopwatch.h"
 #include "files/failure.h"
+#include "files/input_file.h"
 #include "files/text.h"
 #include "threads/parallel_tasks.h"
 
@@ -24,16 +27,50 @@ StreamInfo inspectStream(std::span<const std::byte> bytes, const std::string& pa
   return info;
 }
 
+namespace {
+
+/// Decodes what has arrived; `length`: of what will come in all.
+void decodeArrived(Decoder& decoder, uint64_t length, ProgressBar& bar, const std::string& path) {
+  while (decoder.advance())
+    bar.show(static_cast<double>(decoder.bytes()) / static_cast<double>(length));
+  const Error error = decoder.error();
+  const bool prefix = decoder.ready() && error == Error::Truncated;
+  if (error != Error::None && !prefix) throw Failure(path, describe(error));
+}
+
+}  // namespace
+
 Decoder decodeStream(std::span<const std::byte> bytes, const std::string& path) {
   ProgressBar bar("decoding");
   Decoder decoder(nativeLimits(), parallelTasks());
   decoder.accept(bytes);
   decoder.finish();
-  while (decoder.advance())
-    bar.show(static_cast<double>(decoder.bytes()) / static_cast<double>(bytes.size()));
-  const Error error = decoder.error();
-  const bool prefix = decoder.ready() && error == Error::Truncated;
-  if (error != Error::None && !prefix) throw Failure(path, describe(error));
+  decodeArrived(decoder, bytes.size(), bar, path);
+  return decoder;
+}
+
+Decoder decodeRegion(const std::string& path, const Region& region, uint64_t& read,
+                     double& milliseconds) {
+  constexpr uint64_t kPiece = 1 << 22;
+  ProgressBar bar("decoding");
+  Decoder decoder(nativeLimits(), parallelTasks());
+  if (decoder.setRegion(region) != Error::None) throw UsageFault("--region is not a box");
+  const PartialFile file(path);
+  read = 0;
+  for (bool isEnd = false; !isEnd;) {
+    const ByteRange next = decoder.wanted();
+    const Stopwatch reading;
+    const auto bytes =
+        file.read(next.begin, static_cast<size_t>(std::min(kPiece, next.end - next.begin)));
+    milliseconds += reading.milliseconds();
+    read += bytes.size();
+    isEnd = bytes.empty();
+    if (isEnd)
+      decoder.finish();
+    else
+      decoder.accept(bytes, next.begin);
+    decodeArrived(decoder, decoder.info().bytes, bar, path);
+  }
   return decoder;
 }
 

@@ -20,6 +20,10 @@ StreamInfo inspectStream(std::span<const std::byte>, const std::string& path);
 /// header.
 Decoder decodeStream(std::span<const std::byte>, const std::string& path);
 
+/// Decodes what a region takes of a stream, and reads no more of the file. `read` receives how many
+/// bytes that were, `milliseconds` how long reading took. Throws a Failure as decodeStream().
+Decoder decodeRegion(const std::string& path, const Region&, uint64_t& read, double& milliseconds);
+
 /// Whether the layer in which the first `length` bytes of a stream end is damaged. False where the
 /// stream ends earlier than that layer.
 bool isDamaged(std::span<const std::byte>, size_t length);

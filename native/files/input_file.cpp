@@ -53,6 +53,31 @@ std::vector<std::byte> readFile(const std::string& path) {
   }
 }
 
+PartialFile::PartialFile(const std::string& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0) fail(path_);
+}
+PartialFile::~PartialFile() {
+  ::close(descriptor_);
+}
+
+std::vector<std::byte> PartialFile::read(uint64_t offset, size_t length) const {
+  std::vector<std::byte> bytes(length);
+  for (size_t filled = 0; filled < length;) {
+    const ssize_t got = ::pread(descriptor_, bytes.data() + filled, length - filled,
+                                static_cast<off_t>(offset + filled));
+    if (got < 0 && errno != EINTR) fail(path_);
+    if (got == 0) bytes.resize(length = filled);
+    if (got > 0) filled += static_cast<size_t>(got);
+  }
+  return bytes;
+}
+
+bool isRegularFile(const std::string& path) {
+  struct stat about;
+  return path != "-" && ::stat(path.c_str(), &about) == 0 && S_ISREG(about.st_mode);
+}
+
 uint64_t fileSize(const std::string& path) {
   struct stat about;
   if (::stat(path.c_str(), &about) != 0) fail(path);

@@ -34,7 +34,7 @@ export const ARROWS = {
   ],
   decoder: [
     ...['coding', 'coding/geometry', 'coding/isovalues', 'coding/adaptive', 'container', 'surface'],
-    ...['estimate', 'util', 'api'],
+    ...['estimate', 'grid', 'util', 'api'],
   ],
   'encoder/core': [
     ...['coding/exchange', 'coding/geometry', 'container', 'surface', 'estimate', 'scalars'],

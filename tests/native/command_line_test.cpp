@@ -470,17 +470,25 @@ TEST_F(CommandLine, streamsOfOneTopologySayThatTheyAre) {
             std::string::npos);
 }
 
-TEST_F(CommandLine, bytesDoNotDependOnThreads) {
-  std::vector<float> samples;
-  for (int k = 0; k < 70; ++k)
-    for (int j = 0; j < 40; ++j)
-      for (int i = 0; i < 130; ++i)
-        samples.push_back(
-            static_cast<float>(std::sin(i / 5.) + std::cos(j / 4.) + std::sin(k / 6.)));
-  write("waves.nrrd",
-        "NRRD0004\ntype: float\ndimension: 3\nsizes: 130 40 70\nencoding: raw\n"
-        "endian: little\n\n" +
-            bytesOf(samples));
+/// A volume of 130 x 40 x 70 samples, of which a stream has several chunks of 64.
+class CommandWithChunks : public CommandLine {
+ protected:
+  void writeWaves() const {
+    std::vector<float> samples;
+    for (int k = 0; k < 70; ++k)
+      for (int j = 0; j < 40; ++j)
+        for (int i = 0; i < 130; ++i)
+          samples.push_back(
+              static_cast<float>(std::sin(i / 5.) + std::cos(j / 4.) + std::sin(k / 6.)));
+    write("waves.nrrd",
+          "NRRD0004\ntype: float\ndimension: 3\nsizes: 130 40 70\nencoding: raw\n"
+          "endian: little\n\n" +
+              bytesOf(samples));
+  }
+};
+
+TEST_F(CommandWithChunks, bytesDoNotDependOnThreads) {
+  writeWaves();
   const std::vector<std::string> encode{"encode", "waves.nrrd", "x.isostar", "--iso",
                                         "0.3",    "--chunk",    "64",        "--threads"};
   std::string expected, mesh;
@@ -496,6 +504,26 @@ TEST_F(CommandLine, bytesDoNotDependOnThreads) {
   EXPECT_NE(run({"info", "x.isostar"}).results.find("64 cells"), std::string::npos);
   expectFault(2, {"encode", "waves.nrrd", "y.isostar", "--iso", "0.3", "--chunk", "60"});
   expectFault(2, {"decode", "x.isostar", "y.ply", "--threads", "0"});
+}
+
+TEST_F(CommandWithChunks, decodesRegionsAndReadsNoMore) {
+  writeWaves();
+  ASSERT_EQ(run({"encode", "waves.nrrd", "x.isostar", "--iso", "0.3", "--chunk", "64"}).status, 0);
+  const auto decoded = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"decode", "x.isostar", "x.stl", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.words;
+    return nlohmann::json::parse(outcome.results);
+  };
+  const auto whole = decoded({});
+  const auto part = decoded({"--region", "-5,-5,-5,20,20,20"});
+  EXPECT_LT(part["bytes"], whole["bytes"]);
+  const auto all = decoded({"--region=0,0,0,1e6,1e6,1e6", "--frame", "grid"});
+  for (const char* key : {"bytes", "vertices", "triangles"}) EXPECT_EQ(all[key], whole[key]);
+  for (const char* words : {"1,2,3", "0,0,0,1,1,-1", "0,0,0,1,1,nan", "0,0,0,1,1,1,1"})
+    expectFault(2, {"decode", "x.isostar", "y.stl", "--region", words});
+  expectFault(2, {"decode", "x.isostar", "y.stl", "--region", "0,0,0,1,1,1", "--level", "2"});
 }
 
 TEST_F(CommandLine, saysWhatIsForVolumesOnly) {

@@ -199,6 +199,29 @@ struct Contours {
   bool positiveCorner = false;
 };
 
+/// A box along the axes of a frame, its boundary included.
+struct Region {
+  std::array<double, 3> least{0, 0, 0}, most{0, 0, 0};
+  Frame frame = Frame::World;
+};
+
+/// One of several decoders of a stream, which together make its surface: number 0 … of - 1.
+struct Share {
+  int number = 0, of = 1;
+};
+
+/// Vertices and triangles of a share that follow each other in the whole mesh, too. Runs of all
+/// shares, sorted by `order`, make the whole: each begins with the vertex `firstVertex`, and its
+/// corners follow those of the run before.
+struct MeshRun {
+  uint32_t order = 0, firstVertex = 0, vertices = 0, corners = 0;
+};
+
+/// Bytes of a stream: begin … end - 1.
+struct ByteRange {
+  uint64_t begin = 0, end = 0;
+};
+
 /// What a decoder may spend on untrusted input. The defaults suit a browser tab.
 struct Limits {
   /// Samples of the source's grid, all frames together.
@@ -307,9 +330,37 @@ class Decoder {
   Decoder(Decoder&&) noexcept;
   Decoder& operator=(Decoder&&) noexcept;
 
-  /// Copies the next bytes of the stream. If they exceed Limits::memory, error() becomes OverLimit.
-  /// Bytes past the stream's end, after an error, or after finish() are ignored.
+  /// Decodes a stream in chunks at full precision in a region only, and elsewhere on coarse levels:
+  /// within the region vertices are those of the whole stream. Other streams are decoded as a
+  /// whole. To be called before accept(). BadArgument: a number is not finite, a side of the box
+  /// is negative, or bytes were accepted before.
+  [[nodiscard]] Error setRegion(const Region&);
+
+  /// Decodes a part of the chunks of a stream in chunks, other decoders the others: in other
+  /// threads, workers or machines. All get the same bytes, region and limits. Whenever advance()
+  /// returns false and needsOthers(), and before each mesh() after a layer of geometry, each must
+  /// take the results of all others. Other streams are decoded as a whole by each. To be called
+  /// before accept(). BadArgument: the number is out of range, or bytes were accepted before.
+  [[nodiscard]] Error setShare(const Share&);
+  /// Has the share decoded its part of a layer, so that advance() goes on when it has the results
+  /// of all other shares?
+  [[nodiscard]] bool needsOthers() const;
+  /// What other shares need of this one now; empty if that is nothing.
+  [[nodiscard]] std::vector<std::byte> results() const;
+  /// Takes results() of another share of the same stream in the same state. Any bytes are safe;
+  /// false: they are no such results.
+  [[nodiscard]] bool takeResults(std::span<const std::byte>);
+
+  /// Copies the next bytes of the stream, as far as they are wanted(). If they exceed
+  /// Limits::memory, error() becomes OverLimit. Bytes past the stream's end, after an error, or
+  /// after finish() are ignored.
   void accept(std::span<const std::byte>);
+  /// The same for bytes that begin at `offset` in the stream, so that bytes that are not wanted
+  /// need not be read. They are ignored from the first wanted byte on that is missing.
+  void accept(std::span<const std::byte>, uint64_t offset);
+  /// The next bytes that are needed, of those at `from` or after; empty if there are none. Before
+  /// the header and the index have arrived it is not known how many these are: then some more.
+  [[nodiscard]] ByteRange wanted(uint64_t from = 0) const;
   /// States that no more bytes will come: advance() then decodes what it can of a torn layer.
   void finish();
   /// Decodes at most one more layer. True: mesh() and contours() would show a better surface.
@@ -332,7 +383,7 @@ class Decoder {
   [[nodiscard]] uint64_t bytes() const;
   /// LayerInfo::error of the last whole layer that is decoded; 0 before the first.
   [[nodiscard]] double rmsError() const;
-  /// Are all layers of the stream decoded?
+  /// Are all layers of the stream decoded, as far as they are wanted?
   [[nodiscard]] bool isFinal() const;
 
   /// The decoded surface of a volume or of a sequence. Truncated: not ready(). OverLimit: it would
@@ -340,6 +391,9 @@ class Decoder {
   /// or options.isovalue outside the range of its isovalues. On an error `out` is empty. Does not
   /// change error().
   [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out) const;
+  /// The part of the surface of this decoder's share, in the same order, with the numbers of
+  /// vertices in the whole mesh.
+  [[nodiscard]] Error mesh(const MeshOptions&, Mesh& out, std::vector<MeshRun>& runs) const;
   /// The decoded contours of an image. BadArgument: the stream is not an image's, or
   /// options.isovalue is outside the range of its isovalues. Otherwise as mesh().
   [[nodiscard]] Error contours(const MeshOptions&, Contours& out) const;

@@ -78,13 +78,6 @@ class ChunkState {
     }
   }
 
-  /// Clears the marks, by brick index of the level, of the bricks that the chunk owns.
-  ISOSTAR_COLD void clearOwn(std::vector<uint8_t>& marks) const {
-    for (std::size_t i = 0; i < indices_.size(); ++i) {
-      if (halo_[i] == 0) marks[indices_[i]] = 0;
-    }
-  }
-
   /// Takes the signs around the chunk from its level, when all chunks are coded.
   ISOSTAR_COLD void beginGeometry(const Signs<D>& level) {
     signs_ = cropped(level, signs_.lattice(), indices_);

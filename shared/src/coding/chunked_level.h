@@ -8,14 +8,15 @@
 
 namespace isostar {
 
-/// The chunks of the level coded last. Signs and geometry are joined in the CodecState of the whole
-/// stream, which refers to the geometry that is kept here.
+/// The chunks of the level coded last, as far as they are decoded. Signs and geometry are joined in
+/// the CodecState of the whole stream, which refers to the geometry that is kept here.
 template <int D>
 class ChunkedLevel {
  public:
   using Chunks = std::vector<std::unique_ptr<ChunkState<D>>>;
 
   [[nodiscard]] Chunks& chunks() { return chunks_; }
+  [[nodiscard]] const Chunks& chunks() const { return chunks_; }
 
   /// A chunk of the level after the whole's last one, with no sign coded.
   [[nodiscard]] ISOSTAR_COLD static std::unique_ptr<ChunkState<D>> next(const CodecState<D>& whole,
@@ -25,37 +26,74 @@ class ChunkedLevel {
         ChunkGrid<D>(finer, whole.header.chunkSide).chunk(number), whole.signs,
         BrickTable<D>(finer));
   }
-  /// Makes a level whose signs are all coded the whole's last one.
-  ISOSTAR_COLD void finishLevel(Chunks chunks, SmoothingFilter filter, CodecState<D>& whole,
-                                const RunTasks& runTasks) {
-    Signs<D> signs(whole.signs.lattice().finer());
-    for (const auto& chunk : chunks) chunk->joinSigns(signs);
-    whole.enterLevel(std::move(signs), filter);
+  /// The signs of the level after the whole's last one, while its chunks are joined.
+  struct Joined {
+    Signs<D> signs;
+    std::vector<uint8_t> has;  // by chunk
+  };
+  /// `all`: every chunk will be joined; others are shown as the level before.
+  [[nodiscard]] ISOSTAR_COLD static Joined begin(const CodecState<D>& whole, std::size_t chunks,
+                                                 bool all) {
+    return {all ? Signs<D>(whole.signs.lattice().finer()) : refined(whole.signs),
+            std::vector<uint8_t>(chunks)};
+  }
+  ISOSTAR_COLD static void join(const Chunks& chunks, Joined& joined) {
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      if (!chunks[i]) continue;
+      chunks[i]->joinSigns(joined.signs);
+      joined.has[i] = 1;
+    }
+  }
+  /// Makes the next level the whole's last one. `chunks`: those whose geometry will be coded here.
+  ISOSTAR_COLD void finishLevel(Joined joined, Chunks chunks, SmoothingFilter filter,
+                                CodecState<D>& whole, const RunTasks& runTasks) {
+    const bool several =
+        std::ranges::any_of(chunks, [](const auto& chunk) { return chunk == nullptr; });
+    enterLevel(std::move(joined), filter, whole);
+    ++whole.level;
     chunks_ = std::move(chunks);
-    whole.active.assign(whole.signs.table().total(), 0);
+    if (several)
+      whole.active = activeBricks(whole.signs);
+    else
+      whole.active.assign(whole.signs.table().total(), 0);
     runAll(runTasks, chunks_.size(), [&](std::size_t i) {
+      if (!chunks_[i]) return;
       chunks_[i]->beginGeometry(whole.signs);
       chunks_[i]->joinActive(whole.active);
     });
   }
-  /// Ends the stream within a level, of which the first `arrived` chunks are coded.
-  ISOSTAR_COLD static void keepUnfinished(const Chunks& chunks, std::size_t arrived,
-                                          SmoothingFilter filter, CodecState<D>& whole) {
-    Signs<D> signs = refined(whole.signs);
-    for (std::size_t i = 0; i < arrived; ++i) chunks[i]->joinSigns(signs);
+  /// The same at the end of a stream: nothing more is coded.
+  ISOSTAR_COLD static void enterLevel(Joined joined, SmoothingFilter filter, CodecState<D>& whole) {
+    Signs<D>& signs = joined.signs;
+    if (whole.coarser.empty() &&
+        std::find(joined.has.begin(), joined.has.end(), 0) == joined.has.end())
+      return whole.enterLevel(std::move(signs), filter);
     auto missing = activeBricks(signs);
-    for (std::size_t i = 0; i < arrived; ++i) chunks[i]->clearOwn(missing);
-    Signs<D> uncoded = RefinementCoder<D>::newVertices(signs, missing);
-    whole.keepUnfinished(std::move(signs), std::move(uncoded), filter);
+    const ChunkGrid<D> grid(signs.lattice(), whole.header.chunkSide);
+    for (std::size_t i = 0; i < joined.has.size(); ++i) {
+      if (joined.has[i] != 0)
+        forEachBrickOf(grid.chunk(i), signs.table(),
+                       [&](std::size_t brickIndex) { missing[brickIndex] = 0; });
+    }
+    Signs<D> absent = RefinementCoder<D>::newVertices(signs, missing);
+    if (!whole.coarser.empty()) {
+      forEachMember(whole.coarser.absent(), [&](const Coordinates<D>& v) {
+        absent.set(whole.signs.lattice().onFiner(v), true);
+      });
+    }
+    whole.enterLevel(std::move(signs), filter, std::move(absent));
   }
   /// Shows the whole what a pass over all chunks has coded.
   ISOSTAR_COLD void finishPass(const GeometryPass<D>& pass, bool complete, CodecState<D>& whole) {
     whole.beginPass(pass);
-    for (auto& chunk : chunks_) chunk->joinGeometry(whole);
+    for (auto& chunk : chunks_) {
+      if (chunk) chunk->joinGeometry(whole);
+    }
     whole.endPass(pass, complete);
   }
-  /// Bytes of the chunks of the level after the whole's last one, without what is coded in them.
-  [[nodiscard]] ISOSTAR_COLD static uint64_t memoryOf(const CodecState<D>& whole) {
+  /// Bytes of some chunks of the level after the whole's last one, without what is coded in them.
+  [[nodiscard]] ISOSTAR_COLD static uint64_t memoryOf(const CodecState<D>& whole,
+                                                      std::size_t chunks) {
     // By brick: an index, a mark each of the halo and of activity, slots of signs, displacements
     // and scalars, a gradient; and of the coarser level while signs are refined.
     constexpr uint64_t kBytesPerBrick = sizeof(std::size_t) + 3 + 3 * sizeof(uint32_t) + 16;
@@ -64,16 +102,17 @@ class ChunkedLevel {
     uint64_t bricks = 1;
     for (int a = 0; a < D; ++a) bricks *= side;
     bricks = std::min<uint64_t>(bricks, BrickTable<D>(whole.signs.lattice().finer()).total());
-    return whole.header.chunks(whole.level + 1) * (sizeof(ChunkState<D>) + bricks * kBytesPerBrick);
+    return chunks * (sizeof(ChunkState<D>) + bricks * kBytesPerBrick);
   }
   [[nodiscard]] ISOSTAR_COLD uint64_t memory() const {
     uint64_t sum = 0;
-    for (const auto& chunk : chunks_) sum += chunk->memory();
+    for (const auto& chunk : chunks_) sum += chunk ? chunk->memory() : 0;
     return sum;
   }
 
  private:
-  Chunks chunks_;  // empty while the level is one chunk
+  Chunks chunks_;  // empty while the level is one chunk; null for those that are
+                   // not decoded
 };
 
 }  // namespace isostar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coding/adaptive/adaptive_field.h"
+#include "coding/adaptive/coarser_levels.h"
 #include "coding/geometry/domain_coder.h"
 #include "coding/geometry_state.h"
 #include "coding/isovalues/further_isovalues.h"
@@ -85,15 +86,19 @@ struct CodecState : GeometryState<D> {
       return;
     }
     enterLevel(std::move(finer), shown);
+    ++level;
   }
 
-  /// Goes on to the next level, whose signs are all known.
-  void enterLevel(Signs<D> finer, SmoothingFilter shown) {
+  /// Shows the next level; the caller counts it when it is complete. `absent`: its new vertices
+  /// near the surface whose signs are not known, and those that the level before lacks; none unless
+  /// the stream or the caller's choice ends in the level.
+  void enterLevel(Signs<D> finer, SmoothingFilter shown, std::optional<Signs<D>> absent = {}) {
+    if (absent)
+      coarser.push(std::move(signs), filter, std::move(displacements), *std::move(absent));
     signs = std::move(finer);
     filter = shown;
     displacements = {};
     active = {};
-    ++level;
   }
 
   /// Codes which smoothing filter locates the level's surface best.
@@ -120,19 +125,11 @@ struct CodecState : GeometryState<D> {
     partial.reset();
   }
 
-  /// Turns a level of which only a part was decoded, at the end of a stream, into `partial`.
+  /// Shows a level of which only a part was decoded, at the end of a stream.
   ISOSTAR_COLD void keepUnfinished() {
     if (!refinement.began()) return;
     Signs<D> uncoded = refinement.uncoded(unfinished);
-    keepUnfinished(std::move(unfinished), std::move(uncoded), unfinishedFilter);
-  }
-  /// `uncoded`: the new vertices near the surface whose signs in `finer` are not coded.
-  ISOSTAR_COLD void keepUnfinished(Signs<D> finer, Signs<D> uncoded, SmoothingFilter shown) {
-    partial.emplace(std::move(signs), std::move(finer), std::move(uncoded));
-    partial->filter = shown;
-    partial->coarserFilter = filter;
-    partial->coarserDisplacements = std::move(displacements);
-    displacements = {};
+    enterLevel(std::move(unfinished), unfinishedFilter, std::move(uncoded));
   }
   /// Bytes needed at most for this.
   [[nodiscard]] uint64_t memoryToKeepUnfinished() const {
@@ -189,7 +186,7 @@ struct CodecState : GeometryState<D> {
   [[nodiscard]] uint64_t memoryBesideScalars() const {
     return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() +
            (partial ? partial->memory() : 0) + (domain.tableSize() != 0 ? domain.memory() : 0) +
-           displacements.memory();
+           displacements.memory() + (coarser.empty() ? 0 : coarser.memory());
   }
   /// Bytes needed to begin the first geometry or domain layer, or to continue.
   [[nodiscard]] uint64_t memoryForScalars() const {
@@ -219,10 +216,10 @@ struct CodecState : GeometryState<D> {
   Signs<D> signs;
   SmoothingFilter filter = SmoothingFilter::Narrow;  // of the last complete level
   int level;
-  /// Replaces the signs in a stream that preserves the topology, up to its finest level, and in a
-  /// stream that ends within a level.
+  /// Replaces the signs in a stream that preserves the topology, up to its finest level.
   std::optional<AdaptiveField<D>> partial;
-  Signs<D> unfinished;  // a level of which a part is coded
+  CoarserLevels<D> coarser;  // below a last level that is known in parts
+  Signs<D> unfinished;       // a level of which a part is coded
   SmoothingFilter unfinishedFilter = SmoothingFilter::Narrow;
   std::array<BitModel, 2> filterModel;
   RefinementCoder<D> refinement;

@@ -30,6 +30,9 @@ class ByteWriter {
   void u32(uint32_t v) {
     for (int i = 0; i < 4; ++i) u8(v >> (8 * i) & 0xFF);
   }
+  void append(std::span<const std::byte> bytes) {
+    out_.insert(out_.end(), bytes.begin(), bytes.end());
+  }
   void f32(float v) { u32(std::bit_cast<uint32_t>(v)); }
   void f64(double v) {
     const auto bits = std::bit_cast<uint64_t>(v);
@@ -107,6 +110,13 @@ class ByteReader {
     const uint64_t v = varint(), form = v % kRealForms;
     if (form < kTens.size()) return static_cast<double>(unfolded(v / kRealForms)) / kTens[form];
     return form == kSingle ? double{f32()} : f64();
+  }
+  /// The next bytes; none if there are fewer.
+  std::span<const std::byte> take(std::size_t count) {
+    overrun_ = overrun_ || in_.size() - at_ < count;
+    if (overrun_) return {};
+    at_ += count;
+    return in_.subspan(at_ - count, count);
   }
   [[nodiscard]] std::size_t position() const { return at_; }
   [[nodiscard]] bool overrun() const { return overrun_; }

@@ -22,7 +22,7 @@ class AdaptiveReconstruction : public Reconstruction {
   ISOSTAR_COLD Outcome decode(const LayerHead& head, Sections sections, bool torn) override {
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
     if (sections.empty()) return {};
-    const auto bytes = sections.front();
+    const auto bytes = sections.front().bytes;
     if (torn && !traitsOf(head.kind).hasPass) return {};  // signs are shown only level by level
     LayerInput<D> input;
     if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;

@@ -7,6 +7,7 @@
 #include "coding/chunked_level.h"
 #include "decoder/layer_input.h"
 #include "decoder/reconstruction.h"
+#include "decoder/shared_level.h"
 #include "util/cold_path.h"
 #include "util/run_all.h"
 
@@ -24,10 +25,35 @@ class ChunkDecoder {
 
   explicit ChunkDecoder(const RunTasks& runTasks) : runTasks_(runTasks) {}
 
-  [[nodiscard]] uint64_t memory() const { return level_.memory(); }
+  [[nodiscard]] uint64_t memory() const {
+    return level_.memory() + (share_ ? share_->memory() : 0) + (open_ ? open_->memory() : 0);
+  }
+  /// Sections from now on are those of a share.
+  void beShare(bool isFirst) {
+    isShare_ = true;
+    isFirstShare_ = isFirst;
+  }
+  /// The last complete level, if it is divided among shares.
+  [[nodiscard]] const std::optional<SharedLevel<D>>& share() const { return share_; }
+  /// Does the next level wait for the signs of others?
+  [[nodiscard]] bool isOpen() const { return open_.has_value(); }
+  /// Ends it.
+  ISOSTAR_COLD Error close(CodecState<D>& whole) {
+    const Error error = open_->close(whole, level_, runTasks_);
+    if (error == Error::None) share_ = std::move(open_);
+    open_.reset();
+    return error;
+  }
+  /// As of Reconstruction.
+  ISOSTAR_COLD void results(const CodecState<D>& whole, std::vector<std::byte>& out) const {
+    if (open_ || share_) (open_ ? open_ : share_)->results(whole, out);
+  }
+  [[nodiscard]] ISOSTAR_COLD bool take(std::span<const std::byte> bytes, CodecState<D>& whole) {
+    return (open_ || share_) && (open_ ? open_ : share_)->take(bytes, whole);
+  }
 
   /// Decodes a refinement or a pass. Of a layer that is `torn` what has arrived is decoded; chunks
-  /// of a level that have not arrived are shown as the level before.
+  /// of a level that have not arrived, or are not wanted, are shown as the level before.
   Outcome decode(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                  CodecState<D>& whole, Budget& budget) {
     return head.kind == LayerKind::Refinement ? refine(head, sections, torn, whole, budget)
@@ -47,27 +73,42 @@ class ChunkDecoder {
   ISOSTAR_COLD Outcome refine(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                               CodecState<D>& whole, Budget& budget) {
     // Of a torn level only whole chunks count.
-    const std::size_t arrived =
-        sections.size() -
-        (!sections.empty() && isTorn(head, sections, sections.size() - 1) ? 1 : 0);
-    if (torn && arrived == 0) return {};
-    const uint64_t needed = memoryToRefine(whole);
+    const auto decodes = [&](std::size_t i) {
+      return sections[i].isWanted && sections[i].isOwn && !isTorn(head, sections, i);
+    };
+    std::size_t count = 0, foreign = 0;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      count += decodes(i) ? 1 : 0;
+      foreign += sections[i].isWanted && !sections[i].isOwn ? 1 : 0;
+    }
+    if (torn && (count == 0 || isShare_)) return {};
+    const uint64_t needed = memoryToRefine(whole, count);
     if (needed > budget.memory) return {Error::OverLimit};
     budget.memory -= needed;
     typename ChunkedLevel<D>::Chunks chunks(head.sections.size());
-    const Error error = run(sections, arrived, budget, [&](std::size_t i, const Budget& most) {
+    const Error error = run(sections, budget, [&](std::size_t i, const Budget& most) {
+      if (!decodes(i)) return Piece{};
       chunks[i] = ChunkedLevel<D>::next(whole, i);
-      if (sections[i].empty()) return emptySection(chunks[i]->hasSigns());
+      if (sections[i].bytes.empty()) return emptySection(chunks[i]->hasSigns());
       RefinementCoder<D> coder = whole.refinement;
-      return section(sections[i], most, false,
+      return section(sections[i].bytes, most, false,
                      [&](auto& exchange) { chunks[i]->codeSigns(exchange, coder); });
     });
     if (error != Error::None) return {error};
     const auto filter = static_cast<SmoothingFilter>(head.filter);
-    if (torn)
-      ChunkedLevel<D>::keepUnfinished(chunks, arrived, filter, whole);
-    else
-      level_.finishLevel(std::move(chunks), filter, whole, runTasks_);
+    auto joined = ChunkedLevel<D>::begin(whole, chunks.size(), count + foreign == chunks.size());
+    ChunkedLevel<D>::join(chunks, joined);
+    if (isShare_) {
+      std::vector<uint8_t> expected;
+      for (const auto& section : sections)
+        expected.push_back(section.isWanted && !section.isOwn ? 1 : 0);
+      open_.emplace(std::move(joined), std::move(chunks), std::move(expected), filter,
+                    isFirstShare_);
+    } else if (torn) {
+      ChunkedLevel<D>::enterLevel(std::move(joined), filter, whole);
+    } else {
+      level_.finishLevel(std::move(joined), std::move(chunks), filter, whole, runTasks_);
+    }
     return {Error::None, true};
   }
 
@@ -76,9 +117,10 @@ class ChunkDecoder {
     std::vector<std::optional<LayerInput<D>>> inputs(sections.size());
     std::optional<GeometryPass<D>> coded;
     for (std::size_t i = 0; i < sections.size(); ++i) {
-      if (sections[i].empty()) continue;
+      if (!sections[i].isWanted || sections[i].bytes.empty()) continue;
       LayerInput<D> input;
-      if (const auto outcome = input.read(head.kind, sections[i], isTorn(head, sections, i))) {
+      if (const auto outcome =
+              input.read(head.kind, sections[i].bytes, isTorn(head, sections, i))) {
         if (outcome->error != Error::None) return *outcome;
         continue;
       }
@@ -86,15 +128,15 @@ class ChunkDecoder {
       inputs[i] = input;
     }
     auto& chunks = level_.chunks();
-    const Error error =
-        run(sections, sections.size(), budget, [&](std::size_t i, const Budget& most) {
-          if (sections[i].empty())
-            return emptySection(chunks[i]->hasGeometry() && !isTorn(head, sections, i));
-          if (!inputs[i]) return Piece{};
-          return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
-            chunks[i]->codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
-          });
-        });
+    const Error error = run(sections, budget, [&](std::size_t i, const Budget& most) {
+      if (!sections[i].isOwn) return Piece{};
+      if (sections[i].isWanted && sections[i].bytes.empty())
+        return emptySection(chunks[i]->hasGeometry() && !isTorn(head, sections, i));
+      if (!inputs[i]) return Piece{};
+      return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
+        chunks[i]->codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
+      });
+    });
     if (coded) level_.finishPass(*coded, !torn, whole);
     return {error, error == Error::None};
   }
@@ -105,7 +147,7 @@ class ChunkDecoder {
   }
   [[nodiscard]] static bool isTorn(const LayerHead& head, Reconstruction::Sections sections,
                                    std::size_t chunk) {
-    return sections[chunk].size() < head.sections[chunk];
+    return sections[chunk].isWanted && sections[chunk].bytes.size() < head.sections[chunk];
   }
 
   /// Decodes one section within a part of the budget.
@@ -122,19 +164,20 @@ class ChunkDecoder {
             exchange.work()};
   }
 
-  /// Calls decodeChunk(number, budget) for each of the first `count` chunks, long sections first,
+  /// Calls decodeChunk(number, budget) for each chunk that has arrived, long sections first,
   /// so that threads end at about the same time. The first error in the chunks' order counts: it
   /// does not depend on the order of work.
   template <class DecodeChunk>
-  Error run(Reconstruction::Sections sections, std::size_t count, Budget& budget,
-            DecodeChunk decodeChunk) {
+  Error run(Reconstruction::Sections sections, Budget& budget, DecodeChunk decodeChunk) {
+    const std::size_t count = sections.size();
     std::vector<Piece> pieces(count);
     std::array<std::size_t, kTogether> order;
     for (std::size_t first = 0; first < count; first += kTogether) {
       const std::size_t together = std::min(kTogether, count - first);
       for (std::size_t i = 0; i < together; ++i) {
         std::size_t at = i;
-        for (; at > 0 && sections[order[at - 1]].size() < sections[first + i].size(); --at)
+        const std::size_t length = sections[first + i].bytes.size();
+        for (; at > 0 && sections[order[at - 1]].bytes.size() < length; --at)
           order[at] = order[at - 1];
         order[at] = first + i;
       }
@@ -149,13 +192,15 @@ class ChunkDecoder {
     return Error::None;
   }
 
-  [[nodiscard]] static uint64_t memoryToRefine(const CodecState<D>& whole) {
+  [[nodiscard]] static uint64_t memoryToRefine(const CodecState<D>& whole, std::size_t chunks) {
     // Signs in chunks with their halo, and joined.
-    return 3 * whole.memoryToRefine() + ChunkedLevel<D>::memoryOf(whole);
+    return 3 * whole.memoryToRefine() + ChunkedLevel<D>::memoryOf(whole, chunks);
   }
 
   const RunTasks& runTasks_;
   ChunkedLevel<D> level_;
+  bool isShare_ = false, isFirstShare_ = false;
+  std::optional<SharedLevel<D>> share_, open_;
 };
 
 }  // namespace isostar

@@ -28,6 +28,8 @@ class StreamHeads {
   }
 
   [[nodiscard]] const Header& header() const { return header_; }
+  /// Of all layers of a stream in chunks.
+  [[nodiscard]] std::span<const LayerHead> indexed() const { return index_.heads; }
   [[nodiscard]] uint32_t identity() const { return index_.identity; }
   /// Where the header ends, with the index.
   [[nodiscard]] std::size_t start() const { return header_.chunkSide != 0 ? index_.end : start_; }

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "decoder/between.h"
-#include "decoder/chunk_decoder.h"
-#include "estimate/completion.h"
+#include "decoder/uniform_surfaces.h"
 #include "surface/contour.h"
 #include "surface/polygonizer.h"
 #include "surface/time_slice.h"
@@ -14,16 +12,16 @@
 namespace isostar {
 
 template <int D>
-class UniformReconstruction : public Reconstruction {
+class UniformReconstruction : public Reconstruction, private UniformSurfaces<D> {
  public:
   UniformReconstruction(const Header& header, const Limits& limits, const RunTasks& runTasks)
-      : header_(header), limits_(limits), runTasks_(runTasks), state_(header), chunks_(runTasks) {}
+      : UniformSurfaces<D>(header, limits, runTasks) {}
 
   ISOSTAR_COLD Outcome decode(const LayerHead& head, Sections sections, bool torn) override {
     if (!inOrder(head.kind, head.level)) return {Error::Corrupt};
     if (head.sections.size() > 1) return decodeChunks(head, sections, torn);
     if (sections.empty()) return {};
-    const auto bytes = sections.front();
+    const auto bytes = sections.front().bytes;
     if (torn && !showsTorn(head, bytes.size())) return {};
     LayerInput<D> input;
     if (const auto outcome = input.read(head.kind, bytes, torn)) return *outcome;
@@ -47,28 +45,23 @@ class UniformReconstruction : public Reconstruction {
 
   [[nodiscard]] int level() const override { return based_ ? state_.level : -1; }
 
+  void beShare(bool isFirst) override { chunks_.beShare(isFirst); }
+  [[nodiscard]] bool isDivided() const override { return chunks_.share().has_value(); }
+  [[nodiscard]] bool isOpen() const override { return chunks_.isOpen(); }
+  Error close() override { return chunks_.close(state_); }
+  void results(std::vector<std::byte>& out) const override { chunks_.results(state_, out); }
+  [[nodiscard]] bool take(std::span<const std::byte> bytes) override {
+    return chunks_.take(bytes, state_);
+  }
+
   Error show(const MeshOptions& options, Mesh& out) const override {
-    out = {};
-    if constexpr (D == 2) {
-      return Error::BadArgument;
-    } else {
-      if constexpr (D == 4) {
-        if (!(options.time >= 0 && options.time <= header_.size[3] - 1)) return Error::BadArgument;
-      }
-      if (!based_) return Error::None;
-      return withSurface(options, [&](const Surface<D>& surface, uint64_t held) {
-        if constexpr (D == 3) {
-          return polygonize(surface, options, left(held), runTasks_, out);
-        } else {
-          held += memoryToSlice(surface);
-          if (held > limits_.memory) return Error::OverLimit;
-          const TimeSlice slice = sliceAt(surface, options.time);
-          return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset,
-                                       slice.negativeOffset, header_.placement},
-                            options, left(held), runTasks_, out);
-        }
-      });
-    }
+    return make(options, out, nullptr);
+  }
+  Error show(const MeshOptions& options, Mesh& out, std::vector<MeshRun>& runs) const override {
+    MeshPart part{chunks_.share()->own(), {}};
+    const Error error = make(options, out, &part);
+    runs = std::move(part.runs);
+    return error;
   }
 
   Error show(const MeshOptions& options, Contours& out) const override {
@@ -84,13 +77,41 @@ class UniformReconstruction : public Reconstruction {
   }
 
  private:
+  /// `part`: null for the whole.
+  Error make(const MeshOptions& options, Mesh& out, MeshPart* part) const {
+    out = {};
+    if constexpr (D == 2) {
+      return Error::BadArgument;
+    } else {
+      if constexpr (D == 4) {
+        if (!(options.time >= 0 && options.time <= header_.size[3] - 1)) return Error::BadArgument;
+      }
+      if (!based_) return Error::None;
+      // Not inlined: withSurface() calls it in several places.
+      return withSurface(
+          options, [&](const Surface<D>& surface, uint64_t held) __attribute__((noinline)) {
+            if constexpr (D == 3) {
+              return polygonize(surface, options, left(held), runTasks_, out, part);
+            } else {
+              held += memoryToSlice(surface);
+              if (held > limits_.memory) return Error::OverLimit;
+              const TimeSlice slice = sliceAt(surface, options.time);
+              return polygonize(Surface<3>{slice.signs, slice.scalars, slice.positiveOffset,
+                                           slice.negativeOffset, header_.placement},
+                                options, left(held), runTasks_, out, part);
+            }
+          });
+    }
+  }
+
   ISOSTAR_COLD Outcome decodeChunks(const LayerHead& head, Sections sections, bool torn) {
     const uint64_t held = state_.memory() + chunks_.memory();
     typename ChunkDecoder<D>::Budget budget{limits_.memory - std::min(held, limits_.memory),
                                             limits_.decisions - work_};
     const Outcome outcome = chunks_.decode(head, sections, torn, state_, budget);
     work_ = limits_.decisions - budget.decisions;
-    torn_ = torn || outcome.error != Error::None;
+    torn_ = torn || outcome.error != Error::None ||
+            std::ranges::any_of(sections, [](const Section& s) { return !s.isWanted; });
     return outcome;
   }
 
@@ -131,122 +152,21 @@ class UniformReconstruction : public Reconstruction {
     if (state_.unfinished.table().total() == 0) return true;  // no part that matters was missing
     if (state_.memoryToKeepUnfinished() > limits_.memory) return false;
     state_.keepUnfinished();
-    return state_.partial.has_value();
+    return !state_.coarser.empty();
   }
 
-  /// What is left of the limits while `held` bytes are in use.
-  [[nodiscard]] Limits left(uint64_t held) const {
-    return {limits_.samples, limits_.vertices, limits_.memory - std::min(held, limits_.memory),
-            limits_.decisions};
-  }
+  using UniformSurfaces<D>::header_;
+  using UniformSurfaces<D>::limits_;
+  using UniformSurfaces<D>::runTasks_;
+  using UniformSurfaces<D>::state_;
+  using UniformSurfaces<D>::chunks_;
+  using UniformSurfaces<D>::trims_;
+  using UniformSurfaces<D>::torn_;
+  using UniformSurfaces<D>::left;
+  using UniformSurfaces<D>::withSurface;
 
-  /// What is known of the surface at one coded isovalue.
-  struct Known {
-    const Signs<D>& signs;
-    const std::vector<uint8_t>& active;
-    const Scalars<D>& scalars;
-    const std::array<bool, 2>& coded;
-    Hints<D> hints;
-    bool smooth = false;  // do exponents alone determine most magnitudes?
-  };
-
-  /// Calls make(surface, bytes held) with the surface of the requested isovalue: as coded, or
-  /// between coded ones.
-  template <class Make>
-  Error withSurface(const MeshOptions& options, Make make) const {
-    const double isovalue = options.isovalue.value_or(header_.isovalue);
-    const uint64_t held = state_.memory() + state_.further.memory() + chunks_.memory();
-    if (const FurtherSurface<D>* further = state_.further.find(isovalue)) {
-      return withCompleted(
-          {further->signs, further->active, further->scalars, further->coded, {state_.filter}},
-          header_.at(isovalue), options, held, make);
-    }
-    if (state_.partial) return withPartial(held, make);
-    if (state_.scalars.tableSize() == 0) return withEstimated(options, held, make);
-    if (isovalue == header_.isovalue)
-      return withCompleted({state_.signs, state_.active, state_.scalars, state_.coded,
-                            state_.hints(), !state_.magnitudesRefined},
-                           header_, options, held, make);
-    return withBetween(isovalue, options, held, make);
-  }
-
-  /// For a mesh that has absent vertices.
-  template <class Make>
-  Error withPartial(uint64_t held, Make make) const {
-    const auto adaptive = state_.partial->shown(state_.partial->mesh.level(), left(held).memory);
-    if (!adaptive) return Error::OverLimit;
-    const double offset = 2 * header_.positiveOffset - 1;
-    return make(Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement},
-                held + adaptive->memory());
-  }
-
-  /// Before any scalars are coded.
-  template <class Make>
-  Error withEstimated(const MeshOptions& options, uint64_t held, Make make) const {
-    const std::size_t tableSize = state_.signs.table().total();
-    held += tableSize + Scalars<D>::memoryOf(tableSize, 0);
-    if (held > limits_.memory) return Error::OverLimit;
-    const auto active = activeBricks(state_.signs);
-    return withCompleted(
-        {state_.signs, active, Scalars<D>(tableSize), state_.coded, state_.hints()}, header_,
-        options, held, make);
-  }
-
-  template <class Make>
-  Error withBetween(double isovalue, const MeshOptions& options, uint64_t held, Make make) const {
-    if (held + Between<D>::memoryToMake(state_.further, state_.first(), isovalue) > limits_.memory)
-      return Error::OverLimit;
-    const double steps = (isovalue - header_.isovalue) / header_.quantizationStep;
-    Between<D> between(state_.further, state_.first(), isovalue, steps, header_.positiveOffset);
-    held += between.memory();
-    const uint64_t completed = memoryCompleted(between.scalars(), between.active());
-    if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    estimateMissing(between.signs(), between.active(), options.polygonizer, between.finer(),
-                    between.scalars(), {state_.filter});
-    return make(Surface<D>{between.signs(), between.scalars(), 0, 0, header_.placement},
-                held + completed);
-  }
-
-  [[nodiscard]] const Scalars<D>* domain() const { return trims_ ? &state_.domain : nullptr; }
-
-  /// With scalars, coded or estimated, for all vertices that the polygonizer needs.
-  template <class Make>
-  Error withCompleted(const Known& known, const Header& header, const MeshOptions& options,
-                      uint64_t held, Make make) const {
-    const double positive = 2 * header.positiveOffset - 1, negative = 2 * header.negativeOffset - 1;
-    if (!torn_ && !known.smooth && known.coded[0] &&
-        (known.coded[1] || options.polygonizer == Polygonizer::Cubes)) {
-      return make(
-          Surface<D>{known.signs, known.scalars, positive, negative, header_.placement, domain()},
-          held);
-    }
-    const uint64_t completed = memoryCompleted(known.scalars, known.active);
-    if (held + 2 * completed > limits_.memory) return Error::OverLimit;
-    const Completed<D> full(known.signs, known.active, known.scalars, options.polygonizer,
-                            known.hints, known.smooth);
-    const double scale = 1 << full.finer;
-    return make(Surface<D>{known.signs, full.scalars, positive * scale, negative * scale,
-                           header_.placement, domain()},
-                held + completed);
-  }
-
-  /// Bytes of scalars that have estimates in all active bricks. While they are made, the coded
-  /// scalars are in use, too.
-  [[nodiscard]] static uint64_t memoryCompleted(const Scalars<D>& scalars,
-                                                const std::vector<uint8_t>& active) {
-    uint64_t bricks = 0;
-    for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex)
-      bricks += active[brickIndex] != 0 || scalars.has(brickIndex) ? 1 : 0;
-    return Scalars<D>::memoryOf(active.size(), bricks);
-  }
-
-  const Header& header_;
-  const Limits limits_;
-  const RunTasks& runTasks_;
   uint64_t work_ = 0;  // of all layers, as Limits::decisions counts it
-  CodecState<D> state_;
-  ChunkDecoder<D> chunks_;
-  bool based_ = false, trims_ = false, torn_ = false;
+  bool based_ = false;
 };
 
 }  // namespace isostar

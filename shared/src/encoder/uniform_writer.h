@@ -139,7 +139,9 @@ class UniformWriter {
       sections[i] = signSection(*chunks[i], actual);
     });
     head.filter = static_cast<uint8_t>(filter_);
-    level_.finishLevel(std::move(chunks), filter_, state_, options_.runTasks);
+    auto joined = ChunkedLevel<D>::begin(state_, count, true);
+    ChunkedLevel<D>::join(chunks, joined);
+    level_.finishLevel(std::move(joined), std::move(chunks), filter_, state_, options_.runTasks);
     return sections;
   }
   /// Empty if the chunk has no surface: its signs are those of the level before.
@@ -201,8 +203,7 @@ class UniformWriter {
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (state_.partial)
-      return distance.rms(state_.partial->shown(finestLevel_)->signs, {state_.partial->filter});
+    if (state_.partial) return distance.rms(state_.partial->shown(finestLevel_)->signs, Hints<D>{});
     if (state_.level < finestLevel_) return distance.rms(state_.signs, state_.hints());
     if (number_ == 0 && !state_.magnitudesRefined && state_.scalars.tableSize() != 0) {
       Scalars<D> shown = state_.scalars;

@@ -13,24 +13,26 @@
 
 namespace isostar {
 
+/// The gradient of bricks where no scalar is known around.
+inline constexpr int kPlainGradient = 4 * 12;
+
 /// Gives every vertex of a class in the active bricks a value; known values stay. Values count
 /// 2^-finer half quantization steps: where a quantization step is a large part of a grid step,
-/// estimates need the precision. `active`: by brick index.
+/// estimates need the precision. `active`: by brick index. `gradient`: as of Scalars, for bricks
+/// before the first that has one; without known scalars any value will do, since only ratios are
+/// visible.
 template <int D>
 [[gnu::noinline]] void estimateMissing(const Signs<D>& signs, const std::vector<uint8_t>& active,
                                        Members members, int finer, Scalars<D>& scalars,
-                                       const Hints<D>& hints = {}) {
+                                       const Hints<D>& hints = {}, int gradient = kPlainGradient) {
   // Lower bound of a neighbour's estimate, a third of a grid step: with smaller ones edges would be
   // torn as well.
   constexpr int64_t kShallowest = 2000;
-  // The gradient where no scalar is known: any value will do, since only ratios are visible.
-  constexpr int kPlainGradient = 4 * 12;
   const Scalars<D> known = scalars;
   Tube<D> tube;
   ScalarWindow<D> window;
   ShapeEstimate<D> shapes(hints.filter);
   DisplacementWindow<D> displaced;
-  int gradient = kPlainGradient;
   for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
     if (active[brickIndex] == 0) continue;
     tube.enter(signs, brickIndex, members);
@@ -73,18 +75,27 @@ ISOSTAR_COLD void estimateMissing(const Signs<D>& signs, const std::vector<uint8
     estimateMissing(signs, active, Members::DiagonalEnds, finer, scalars, hints);
 }
 
-/// All scalars that a polygonizer needs: known ones, dequantized if `smooth`, and estimates for
-/// those that are not known.
+/// Known scalars, with room for estimates between them; dequantized if `smooth`.
 template <int D>
-struct Completed {
+struct KnownScalars {
   Scalars<D> scalars;
   int finer;  // values count 2^-finer half quantization steps
 
+  /// `coarser`: on how many coarser levels the same unit is used.
+  ISOSTAR_COLD KnownScalars(const BrickTable<D>& table, const Scalars<D>& known, bool smooth,
+                            int coarser = 0)
+      : scalars(known), finer(scalars.magnify(coarser)) {
+    if (smooth) Dequantization<D>::apply(table, known, finer, scalars);
+  }
+};
+
+/// All scalars that a polygonizer needs: known ones, and estimates for those that are not known.
+template <int D>
+struct Completed : KnownScalars<D> {
   Completed(const Signs<D>& signs, const std::vector<uint8_t>& active, const Scalars<D>& known,
             Polygonizer polygonizer, const Hints<D>& hints, bool smooth)
-      : scalars(known), finer(scalars.magnify()) {
-    if (smooth) Dequantization<D>::apply(signs.table(), known, finer, scalars);
-    estimateMissing(signs, active, polygonizer, finer, scalars, hints);
+      : KnownScalars<D>(signs.table(), known, smooth) {
+    estimateMissing(signs, active, polygonizer, this->finer, this->scalars, hints);
   }
 };
 

@@ -52,6 +52,15 @@ struct Chunk {
   }
 };
 
+/// Calls visit(brick index in the level's table) for each brick that a chunk owns.
+template <int D, class Visit>
+void forEachBrickOf(const Chunk<D>& chunk, const BrickTable<D>& level, Visit visit) {
+  Coordinates<D> last = chunk.end;
+  for (int a = 0; a < D; ++a) --last[a];
+  forEachBetween<D>(chunk.begin, last,
+                    [&](const Coordinates<D>& brick) { visit(level.index(brick)); });
+}
+
 /// The chunks of a level.
 template <int D>
 class ChunkGrid {
@@ -66,6 +75,18 @@ class ChunkGrid {
     std::size_t total = 1;
     for (const int32_t n : count_) total *= static_cast<std::size_t>(n);
     return total;
+  }
+  /// How many chunks there are on an axis.
+  [[nodiscard]] int32_t count(int axis) const { return count_[axis]; }
+  /// The chunk, by its place on an axis, that owns a plane.
+  [[nodiscard]] int32_t at(int axis, int32_t plane) const {
+    return std::min(plane / side_, count_[axis] - 1);
+  }
+  /// The first plane of a chunk, by its place on an axis.
+  [[nodiscard]] int32_t begin(int32_t at) const { return at * side_; }
+  /// The first plane that a chunk does not own.
+  [[nodiscard]] int32_t end(int axis, int32_t at) const {
+    return at + 1 == count_[axis] ? level_.last[axis] + 1 : (at + 1) * side_;
   }
   /// Chunk 0 … total() - 1, the first axis being the fastest.
   [[nodiscard]] ISOSTAR_COLD Chunk<D> chunk(std::size_t number) const {
@@ -92,7 +113,7 @@ class ChunkGrid {
   Lattice<D> level_;
   BrickTable<D> table_;
   int32_t side_;
-  std::array<int32_t, D> count_{};
+  Coordinates<D> count_{};
 };
 
 /// The signs of a part of a lattice. `indices`: as of Chunk::indicesIn().

@@ -64,16 +64,28 @@ class Scalars : public SparseBricks<ScalarBrick<D>> {
   void setGradient(std::size_t brickIndex, int quarterLog2) {
     gradient_[brickIndex] = static_cast<uint8_t>(quarterLog2);
   }
+  /// The mean of all gradients; `otherwise` if there are none.
+  [[nodiscard]] int meanGradient(int otherwise) const {
+    int64_t sum = 0, count = 0;
+    for (const uint8_t one : gradient_) {
+      if (one == kNoGradient) continue;
+      sum += one;
+      ++count;
+    }
+    return count == 0 ? otherwise : static_cast<int>(sum / count);
+  }
   /// Multiplies all values by the largest power of two that they leave room for, at most 2^12, so
-  /// that estimates between them are more precise. Returns its exponent.
-  int magnify() {
+  /// that estimates between them are more precise. Returns its exponent. `spare`: so many more bits
+  /// are left.
+  int magnify(int spare = 0) {
     int32_t largest = 1;
     this->forEachBrick([&](const Brick& brick) {
       for (const int32_t value : brick.value) {
         if (value != kUnknown) largest = std::max(largest, std::abs(value));
       }
     });
-    const int exponent = std::clamp(std::countl_zero(static_cast<uint32_t>(largest)) - 3, 0, 12);
+    const int room = std::countl_zero(static_cast<uint32_t>(largest)) - 3 - spare;
+    const int exponent = std::clamp(room, 0, std::max(12 - spare, 0));
     this->forEachBrick([&](Brick& brick) {
       for (int32_t& value : brick.value) {
         if (value != kUnknown) value *= 1 << exponent;

@@ -43,6 +43,11 @@ class EdgeNumbers {
     return index_[slot * sets() + numbers_[axes]];
   }
 
+  /// The number of a brick's first vertex, or of the next one if it has none.
+  [[nodiscard]] uint32_t firstVertex(std::size_t slot) const {
+    return index_[slot * sets()].planes[0].first;
+  }
+
   /// Bytes that makeRoom() takes.
   [[nodiscard]] uint64_t memory() const {
     return kBytesPerEntry * slot_.size() +

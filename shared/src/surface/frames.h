@@ -11,17 +11,30 @@
 
 namespace isostar {
 
+/// By how much a step along each axis of the samples moves in the world.
+[[nodiscard]] inline glm::dmat3 stepsOf(const Placement& placement) {
+  glm::dmat3 steps;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b)
+      steps[b][a] = placement.direction[static_cast<std::size_t>(a * 3 + b)] *
+                    placement.spacing[static_cast<std::size_t>(b)];
+  }
+  return steps;
+}
+/// The place among the samples of a point in a frame.
+[[nodiscard]] inline glm::dvec3 sampleAt(const Placement& placement, Frame frame,
+                                         const glm::dvec3& point) {
+  if (frame == Frame::Grid) return point;
+  const auto& [x, y, z] = placement.origin;
+  return glm::inverse(stepsOf(placement)) * (point - glm::dvec3(x, y, z));
+}
+
 /// Maps the lattice's vertices to positions in the chosen frame, and gradients to normals.
 class Frames {
  public:
   Frames(const Lattice<3>& lattice, const Placement& p, Frame frame)
-      : lattice_(lattice), world_(frame == Frame::World) {
-    for (int a = 0; a < 3; ++a) {
-      origin_[a] = p.origin[a];
-      for (int b = 0; b < 3; ++b)
-        matrix_[b][a] = p.direction[static_cast<std::size_t>(a * 3 + b)] *
-                        p.spacing[static_cast<std::size_t>(b)];
-    }
+      : lattice_(lattice), world_(frame == Frame::World), matrix_(stepsOf(p)) {
+    for (int a = 0; a < 3; ++a) origin_[a] = p.origin[static_cast<std::size_t>(a)];
     if (world_) gradient_ = glm::transpose(glm::inverse(matrix_));
   }
   /// The sample at a vertex of the lattice.
@@ -43,7 +56,7 @@ class Frames {
   Lattice<3> lattice_;
   bool world_;
   glm::dvec3 origin_{};
-  glm::dmat3 matrix_{1.0}, gradient_{1.0};
+  glm::dmat3 matrix_, gradient_{1.0};
 };
 
 }  // namespace isostar

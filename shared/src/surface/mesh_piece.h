@@ -41,6 +41,11 @@ class MeshPiece {
     indices_.resize(corners_);
     return true;
   }
+  /// The vertices of bricks made from now on have places in `out` that are `by` smaller than their
+  /// numbers.
+  void shiftVertices(uint32_t by) { shift_ = by; }
+  /// How many corners of triangles have been made.
+  [[nodiscard]] std::size_t corners() const { return corners_; }
   /// Reserves room for the corners of triangles; false if the limit does not allow it. resize()
   /// alone might double the capacity.
   [[nodiscard]] bool makeRoom(std::size_t corners) {
@@ -73,11 +78,11 @@ class MeshPiece {
       if (!numbers_.uses(axes)) continue;
       for (unsigned z = 0; z < kPlanes; ++z) {
         auto [open, id] = numbers_.of(slot, axes).planes[z];
-        grow(id + static_cast<uint32_t>(std::popcount(open)));
+        grow(id - shift_ + static_cast<uint32_t>(std::popcount(open)));
         for (; open != 0; open &= open - 1, ++id) {
           const auto at = static_cast<unsigned>(std::countr_zero(open));
           ids_[EdgePositions::at(axes, at % kBrickSide, at / kBrickSide, z)] = id;
-          placeVertex(brick, axes, z, at, id);
+          placeVertex(brick, axes, z, at, id - shift_);
         }
       }
     }
@@ -90,14 +95,15 @@ class MeshPiece {
     if (normals_) out_.normals.resize(vertices * 3);
   }
 
+  /// `place`: of the vertex in `out`.
   void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned z, unsigned at,
-                   uint32_t id) {
+                   uint32_t place) {
     const EdgeEnds<3> ends(brick, z * kBrickSide + at / kBrickSide, at % kBrickSide, axes);
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
-    write(out_.positions, id, frames_.position(start + t * (end - start)));
-    if (surface_.domain != nullptr) depth_[id] = static_cast<float>(depthOf(ends, t));
+    write(out_.positions, place, frames_.position(start + t * (end - start)));
+    if (surface_.domain != nullptr) depth_[place] = static_cast<float>(depthOf(ends, t));
     if (!normals_) return;
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
@@ -108,7 +114,7 @@ class MeshPiece {
     }
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
-    write(out_.normals, id, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
+    write(out_.normals, place, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
   }
 
   /// By how much a vertex on an edge lies inside the domain. A stream for Polygonizer::Cubes does
@@ -146,8 +152,8 @@ class MeshPiece {
     return weight > 0 ? sum / weight : 0;
   }
 
-  static void write(std::vector<float>& values, uint32_t id, const glm::dvec3& v) {
-    float* at = &values[std::size_t{id} * 3];
+  static void write(std::vector<float>& values, uint32_t place, const glm::dvec3& v) {
+    float* at = &values[std::size_t{place} * 3];
     at[0] = static_cast<float>(v.x);
     at[1] = static_cast<float>(v.y);
     at[2] = static_cast<float>(v.z);
@@ -231,6 +237,7 @@ class MeshPiece {
   const uint64_t most_;
   std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the current brick
   std::size_t corners_ = 0;                            // of triangles so far
+  uint32_t shift_ = 0;
   ScalarWindow<3> scalars_, domain_;
 };
 

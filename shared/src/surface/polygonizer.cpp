@@ -13,7 +13,7 @@ class Polygonization {
  public:
   /// `depth` receives by how much each vertex lies inside the surface's domain, if there is one.
   Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, Mesh& out, std::vector<float>& depth)
+                 const RunTasks& runTasks, Mesh& out, std::vector<float>& depth, MeshPart* part)
       : surface_(surface),
         options_(options),
         frames_(surface.signs.lattice(), surface.placement, options.frame),
@@ -22,6 +22,7 @@ class Polygonization {
         runTasks_(runTasks),
         out_(out),
         depth_(depth),
+        part_(part),
         numbers_(surface.signs, options.polygonizer) {}
 
   Error run() {
@@ -29,7 +30,7 @@ class Polygonization {
     if (held_ > limits_.memory) return Error::OverLimit;
     numbers_.makeRoom();
     const std::size_t pieces =
-        kRunsTasks && runTasks_
+        kRunsTasks && runTasks_ && part_ == nullptr
             ? std::clamp<std::size_t>(numbers_.bricks() / kFewestBricks, 1, kMostPieces)
             : 1;
     if (!countVertices(pieces)) return Error::OverLimit;
@@ -80,12 +81,50 @@ class Polygonization {
     return {surface_, options_, frames_, cuts_, numbers_, out_, depth_, indices, most};
   }
 
+  /// The first slot from `slot` on whose brick is wanted, or is not.
+  [[nodiscard]] std::size_t next(std::size_t slot, bool wanted) const {
+    const auto isWanted = [&](std::size_t i) {
+      return part_ == nullptr || part_->bricks[numbers_.brickIndex(i)] != 0;
+    };
+    while (slot < numbers_.bricks() && isWanted(slot) != wanted) ++slot;
+    return slot;
+  }
+  [[nodiscard]] uint32_t firstVertex(std::size_t slot) const {
+    return slot < numbers_.bricks() ? numbers_.firstVertex(slot) : static_cast<uint32_t>(vertices_);
+  }
+  /// Calls visit(first slot, end) for the runs of wanted bricks.
+  template <class Visit>
+  void forEachRun(Visit visit) const {
+    for (std::size_t slot = next(0, true); slot < numbers_.bricks();) {
+      const std::size_t end = next(slot, false);
+      visit(slot, end);
+      slot = next(end, true);
+    }
+  }
+
+  /// Makes all, or the bricks of the part: their vertices one after the other.
   Error makeAlone() {
+    uint64_t vertices = 0;
+    forEachRun([&](std::size_t slot, std::size_t end) {
+      vertices += firstVertex(end) - firstVertex(slot);
+    });
     MeshPiece all = piece(out_.indices, limits_.memory - held_);
-    if (!all.makeRoom(vertices_ * kCorners + MeshPiece::kMostOfPlane)) return Error::OverLimit;
-    out_.positions.reserve(vertices_ * 3);
-    if (options_.normals) out_.normals.reserve(vertices_ * 3);
-    return all.make(0, numbers_.bricks()) ? Error::None : Error::OverLimit;
+    if (!all.makeRoom(vertices * kCorners + MeshPiece::kMostOfPlane)) return Error::OverLimit;
+    out_.positions.reserve(vertices * 3);
+    if (options_.normals) out_.normals.reserve(vertices * 3);
+    bool made = true;
+    uint32_t placed = 0;
+    forEachRun([&](std::size_t slot, std::size_t end) {
+      const std::size_t before = all.corners();
+      const uint32_t first = firstVertex(slot), count = firstVertex(end) - first;
+      all.shiftVertices(first - placed);
+      made = made && all.make(slot, end);
+      placed += count;
+      if (part_ != nullptr)
+        part_->runs.push_back({static_cast<uint32_t>(slot), first, count,
+                               static_cast<uint32_t>(all.corners() - before)});
+    });
+    return made ? Error::None : Error::OverLimit;
   }
 
   /// Vertices are made in their places, triangles joined afterwards.
@@ -130,6 +169,7 @@ class Polygonization {
   uint64_t held_ = 0;  // bytes in use except those of triangles
   Mesh& out_;
   std::vector<float>& depth_;
+  MeshPart* const part_;
   EdgeNumbers numbers_;
   uint64_t vertices_ = 0;
   std::vector<uint64_t> firstVertex_;  // by piece
@@ -138,12 +178,12 @@ class Polygonization {
 }  // namespace
 
 Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, Mesh& out) {
+                 const RunTasks& runTasks, Mesh& out, MeshPart* part) {
   out = {};
   if (EdgeNumbers::kBytesPerEntry * surface.signs.table().total() > limits.memory)
     return Error::OverLimit;
   std::vector<float> depth;
-  Error error = Polygonization(surface, options, limits, runTasks, out, depth).run();
+  Error error = Polygonization(surface, options, limits, runTasks, out, depth, part).run();
   if (error == Error::None && surface.domain != nullptr) error = trim(depth, limits, out);
   if (error != Error::None) out = {};
   return error;

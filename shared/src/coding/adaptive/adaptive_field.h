@@ -7,7 +7,6 @@
 #include "coding/geometry/exponent_coder.h"
 #include "coding/geometry/geometry_pass.h"
 #include "coding/geometry/magnitude_coder.h"
-#include "estimate/completion.h"
 
 namespace isostar {
 
@@ -18,17 +17,8 @@ template <int D>
 class AdaptiveField {
  public:
   explicit AdaptiveField(const Lattice<D>& base) : mesh(base) {}
-  /// A level that is only partly coded; parameters as of AdaptiveMesh.
-  AdaptiveField(Signs<D> coarse, Signs<D> fine, Signs<D> absent)
-      : mesh(std::move(coarse), std::move(fine), std::move(absent)) {}
 
   AdaptiveMesh<D> mesh;
-  /// Of the level before the last one, used where no scalars are known.
-  Displacements<D> coarserDisplacements;
-  /// `filter` locates the last level's surface where no scalars are known, `coarserFilter` that of
-  /// the others.
-  SmoothingFilter filter = SmoothingFilter::Middle, coarserFilter = SmoothingFilter::Middle;
-
   /// The number of levels whose scalars are coded.
   [[nodiscard]] int codedLevels() const { return static_cast<int>(levels_.size()); }
   [[nodiscard]] const AdaptiveLevel<D>& at(int level) const {
@@ -52,7 +42,7 @@ class AdaptiveField {
 
   /// Bytes in use beside the models while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
-    uint64_t sum = mesh.memory() + coarserDisplacements.memory();
+    uint64_t sum = mesh.memory();
     for (const auto& o : levels_) sum += o.memory();
     return sum;
   }
@@ -101,13 +91,9 @@ class AdaptiveField {
         adaptive = at(o);
       else
         adaptive = next(coarser, o);
-      // The known bricks are copied while the missing scalars are estimated.
-      const auto bricks =
-          adaptive.scalars.brickCount() +
-          static_cast<std::size_t>(std::count(adaptive.active.begin(), adaptive.active.end(), 1));
-      if (adaptive.memory() + 2 * Scalars<D>::memoryOf(adaptive.active.size(), bricks) > memory)
-        return std::nullopt;
-      estimate(o, codedLevels() == 0 ? level - o : 0, adaptive);
+      if (adaptive.memoryToEstimate() > memory) return std::nullopt;
+      adaptive.estimate(mesh.absent(o), o < mesh.level() ? &mesh.absent(o + 1) : nullptr,
+                        codedLevels() == 0 ? level - o : 0);
     }
     return adaptive;
   }
@@ -121,31 +107,6 @@ class AdaptiveField {
   }
   [[nodiscard]] uint64_t memoryForNext(const AdaptiveLevel<D>* coarser, int level) const {
     return AdaptiveLevel<D>::memoryToMake(mesh.signs(level), mesh.absent(level), coarser);
-  }
-
-  /// Estimates the missing scalars of a level's leaves. Values are 2^finer times as large: a coarse
-  /// level's are multiplied by the ratio of its grid step to that of the last level. Vertices of
-  /// other leaves are estimated better on finer levels.
-  ISOSTAR_COLD void estimate(int level, int finer, AdaptiveLevel<D>& adaptive) const {
-    const Scalars<D> before = adaptive.scalars;
-    const Hints<D> hints =
-        level == mesh.level()
-            ? Hints<D>{filter}
-            : Hints<D>{coarserFilter, level + 1 == mesh.level() ? &coarserDisplacements : nullptr};
-    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds})
-      estimateMissing(adaptive.signs, adaptive.active, members, finer, adaptive.scalars, hints);
-    if (level == mesh.level()) return;
-    const auto& table = adaptive.signs.table();
-    for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
-      if (!adaptive.scalars.has(brickIndex)) continue;
-      auto& brick = adaptive.scalars.writable(brickIndex);
-      for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
-        if (!brick.knows(i) || before.at(brickIndex).knows(i) ||
-            mesh.belongsToLeaf(level, vertexOf<D>(table.brick(brickIndex), i)))
-          continue;
-        brick.value[i] = Scalars<D>::kUnknown;
-      }
-    }
   }
 
   std::vector<AdaptiveLevel<D>> levels_;

@@ -1,11 +1,39 @@
 // What is known of one level of an adaptive mesh, with its absent vertices.
 #pragma once
 
+#include "estimate/completion.h"
 #include "grid/refined_signs.h"
 #include "scalars/scalars.h"
 #include "util/cold_path.h"
 
 namespace isostar {
+
+/// The members of a coarser level's set of vertices, on the next level's lattice.
+template <int D>
+[[nodiscard]] ISOSTAR_COLD Signs<D> onFinerLevel(const Signs<D>& coarse) {
+  Signs<D> fine(coarse.lattice().finer());
+  forEachMember(coarse,
+                [&](const Coordinates<D>& v) { fine.set(coarse.lattice().onFiner(v), true); });
+  return fine;
+}
+
+/// Is a vertex of a level, which is not `absent`, a vertex of a simplex that is not split further?
+/// `finer`: the absent vertices of the next level; null if there is none.
+template <int D>
+[[nodiscard]] ISOSTAR_COLD bool belongsToLeaf(const Signs<D>& absent, const Signs<D>* finer,
+                                              const Coordinates<D>& v) {
+  if (absent.at(v)) return false;
+  if (finer == nullptr) return true;
+  const auto middle = absent.lattice().onFiner(v);
+  Coordinates<D> low, high;
+  for (int a = 0; a < D; ++a) {
+    low[a] = std::max(middle[a] - 1, 0);
+    high[a] = std::min(middle[a] + 1, finer->lattice().last[a]);
+  }
+  bool any = false;
+  forEachBetween<D>(low, high, [&](const Coordinates<D>& w) { any = any || finer->at(w); });
+  return any;
+}
 
 /// The vertices of a level. Absent ones have the values of the simplices that they lie in.
 template <int D>
@@ -39,6 +67,48 @@ struct AdaptiveLevel {
   /// Bytes in use while one more brick is made.
   [[nodiscard]] uint64_t memory() const {
     return signs.memory() + scalars.memory() + active.size();
+  }
+  /// Bytes needed at most for estimate(), with those in use: the known bricks are copied.
+  [[nodiscard]] uint64_t memoryToEstimate() const {
+    const auto bricks = scalars.brickCount() +
+                        static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+    return memory() + 2 * Scalars<D>::memoryOf(active.size(), bricks);
+  }
+
+  /// Replaces what is interpolated by known scalars.
+  ISOSTAR_COLD void take(const Scalars<D>& known) {
+    for (std::size_t brickIndex = 0; brickIndex < known.tableSize(); ++brickIndex) {
+      if (known.hasGradient(brickIndex))
+        scalars.setGradient(brickIndex, known.gradient(brickIndex));
+      if (!known.has(brickIndex)) continue;
+      const auto& from = known.at(brickIndex);
+      auto& brick = scalars.writable(brickIndex);
+      for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
+        if (from.knows(i)) brick.value[i] = from.value[i];
+      }
+    }
+  }
+
+  /// Estimates the missing scalars of leaves. Values are 2^finer times as large: a coarse level's
+  /// are multiplied by the ratio of its grid step to that of the last level. Vertices of other
+  /// leaves are estimated better on finer levels. `absent`: as of the constructor; `finerAbsent`:
+  /// of the next level, null if this is the last. `gradient`: as of estimateMissing().
+  ISOSTAR_COLD void estimate(const Signs<D>& absent, const Signs<D>* finerAbsent, int finer,
+                             const Hints<D>& hints = {}, int gradient = kPlainGradient) {
+    const Scalars<D> before = scalars;
+    for (const Members members : {Members::AxisEnds, Members::DiagonalEnds})
+      estimateMissing(signs, active, members, finer, scalars, hints, gradient);
+    if (finerAbsent == nullptr) return;
+    for (std::size_t brickIndex = 0; brickIndex < signs.table().total(); ++brickIndex) {
+      if (!scalars.has(brickIndex)) continue;
+      auto& brick = scalars.writable(brickIndex);
+      for (std::size_t i = 0; i < Scalars<D>::kVertices; ++i) {
+        if (!brick.knows(i) || before.at(brickIndex).knows(i) ||
+            belongsToLeaf<D>(absent, finerAbsent, vertexOf<D>(signs.table().brick(brickIndex), i)))
+          continue;
+        brick.value[i] = Scalars<D>::kUnknown;
+      }
+    }
   }
 
  private:

@@ -1,6 +1,7 @@
 // An adaptive mesh of the RBMT (§4.3, §5.1, §5.2), coded level by level.
 #pragma once
 
+#include "coding/adaptive/adaptive_level.h"
 #include "coding/signs/base_coder.h"
 #include "coding/signs/filling_coder.h"
 #include "coding/signs/refinement_coder.h"
@@ -17,15 +18,6 @@ class AdaptiveMesh {
   explicit AdaptiveMesh(const Lattice<D>& base)
       : signs_(1, Signs<D>(base)), absent_(1, Signs<D>(base)), coders_(std::in_place) {}
 
-  /// A level without absent vertices and the next one, of which only a part is coded. Such a mesh
-  /// can be displayed, but no more of it can be coded.
-  AdaptiveMesh(Signs<D> coarse, Signs<D> fine, Signs<D> absent)
-      : absent_(1, Signs<D>(coarse.lattice())) {
-    signs_.push_back(std::move(coarse));
-    signs_.push_back(std::move(fine));
-    absent_.push_back(std::move(absent));
-  }
-
   [[nodiscard]] int level() const { return static_cast<int>(signs_.size()) - 1; }
   [[nodiscard]] const Signs<D>& signs(int level) const {
     return signs_[static_cast<std::size_t>(level)];
@@ -35,18 +27,8 @@ class AdaptiveMesh {
   }
   /// Is a vertex of a level in the mesh, and a vertex of a simplex that is not split further?
   [[nodiscard]] bool belongsToLeaf(int level, const Coordinates<D>& v) const {
-    if (absent(level).at(v)) return false;
-    if (level == this->level()) return true;
-    const auto& finer = absent(level + 1);
-    const auto middle = absent(level).lattice().onFiner(v);
-    Coordinates<D> low, high;
-    for (int a = 0; a < D; ++a) {
-      low[a] = std::max(middle[a] - 1, 0);
-      high[a] = std::min(middle[a] + 1, finer.lattice().last[a]);
-    }
-    bool any = false;
-    forEachBetween<D>(low, high, [&](const Coordinates<D>& w) { any = any || finer.at(w); });
-    return any;
+    return isostar::belongsToLeaf<D>(absent(level),
+                                     level < this->level() ? &absent(level + 1) : nullptr, v);
   }
 
   /// Bytes in use beside the models while one more brick is made.
@@ -84,7 +66,7 @@ class AdaptiveMesh {
   /// vertices.
   template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void refine(Exchange& exchange) {
-    Signs<D> fine = refined(signs_.back()), absent = inherited(absent_.back());
+    Signs<D> fine = refined(signs_.back()), absent = onFinerLevel(absent_.back());
     coders_->refinement.code(exchange, fine, &absent);
     if (exchange.exhausted()) return;  // the level does not change
     signs_.push_back(std::move(fine));
@@ -129,14 +111,6 @@ class AdaptiveMesh {
   [[nodiscard]] Signs<D> takeSigns() { return std::move(signs_.back()); }
 
  private:
-  /// The absent vertices of a coarser level, on the next level's lattice.
-  static Signs<D> inherited(const Signs<D>& coarse) {
-    Signs<D> fine(coarse.lattice().finer());
-    forEachMember(coarse,
-                  [&](const Coordinates<D>& v) { fine.set(coarse.lattice().onFiner(v), true); });
-    return fine;
-  }
-
   /// Vertices that are no longer absent on the coarser level are not absent here either.
   ISOSTAR_COLD void takeOverFilled(int level) {
     auto& signs = signs_[static_cast<std::size_t>(level)];

@@ -72,7 +72,7 @@ class AdaptiveWriter {
   /// RMS distance of the surface that a decoder shows now, in grid steps.
   [[nodiscard]] double error() const {
     if (decoded_.mesh.level() < plan_.finestLevel())
-      return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, {decoded_.filter});
+      return distance_.rms(decoded_.shown(decoded_.mesh.level())->signs, Hints<D>{});
     constexpr std::size_t kSamples = 4096;
     const auto shown = *decoded_.shown(decoded_.mesh.level());
     double sum = 0;
