@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Fuzzes: `fuzz.sh SECONDS [TARGET...]` builds tests/fuzz with clang, runs the known inputs of
-# tests/fuzz/regressions and then each target for SECONDS, one target a core, and prints executions,
-# coverage and findings. Exit status 1 if there are findings: they are in build/fuzz/findings.
+# Fuzzes: `fuzz.sh SECONDS [TARGET...]` builds targets of tests/fuzz with clang, by default all, runs
+# the known inputs of tests/fuzz/regressions and then each target for SECONDS, one target a core, and
+# prints executions, coverage and findings. Exit status 1 if there are findings: they are in build/fuzz/findings.
 # Corpora grow in build/fuzz/corpus. The target `children` mutates files for readers that run in a
 # child process, with build/isostar.
 set -uo pipefail
@@ -18,7 +18,13 @@ programs=$build/tests/fuzz
 launcher=()
 if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 mkdir -p $build
-{ cmake --preset fuzz "${launcher[@]}" && cmake --build --preset fuzz -j "$(nproc)"; } \
+targets=(isostar_fuzz)
+if [ $# -gt 0 ]; then targets=(write_seeds); fi
+for name in "$@"; do
+  if [ "$name" != children ]; then targets+=("${name}_fuzz"); fi
+done
+{ cmake --preset fuzz "${launcher[@]}" &&
+  cmake --build --preset fuzz -j "$(nproc)" --target "${targets[@]}"; } \
   >$build/fuzz-build.log 2>&1 || { cat $build/fuzz-build.log >&2; exit 1; }
 $programs/write_seeds $programs/seeds || exit 1
 
