@@ -45,6 +45,13 @@ async function find(folders, url) {
   }
 }
 
+/** The one range of bytes that a request asks for, of a file of `size` bytes; undefined if none. */
+function rangeOf({ headers }, size) {
+  const [, first, last] = /^bytes=(\d+)-(\d*)$/.exec(headers.range ?? '') ?? [];
+  if (first === undefined || Number(first) >= size) return;
+  return { start: Number(first), end: Math.min(last ? Number(last) : Infinity, size - 1) };
+}
+
 /**
  * Serves the folders and resolves to { server, address }. Port 0 takes any free port. `handle` may
  * answer a request first and then returns true.
@@ -54,10 +61,18 @@ export function serve(folders, { port = 0, host = '127.0.0.1', handle = () => fa
     if (handle(request, response, HEADERS)) return;
     const found = await find(folders, request.url);
     if (!found) return response.writeHead(404, HEADERS).end();
-    const type = TYPES[extname(found.file)] ?? 'application/octet-stream';
-    response.writeHead(200, { ...HEADERS, 'Content-Type': type, 'Content-Length': found.size });
+    const { file, size } = found;
+    const range = rangeOf(request, size);
+    const { start, end } = range ?? { start: 0, end: Math.max(0, size - 1) };
+    response.writeHead(range ? 206 : 200, {
+      ...HEADERS,
+      'Accept-Ranges': 'bytes',
+      'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
+      'Content-Length': range ? end + 1 - start : size,
+      ...(range && { 'Content-Range': `bytes ${start}-${end}/${size}` }),
+    });
     if (request.method === 'HEAD') response.end();
-    else createReadStream(found.file).pipe(response);
+    else createReadStream(file, { start, end }).pipe(response);
   });
   return new Promise((resolve, reject) => {
     server.once('error', reject);

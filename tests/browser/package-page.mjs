@@ -16,10 +16,10 @@ const PAGE = `<!doctype html>
 <body></body>`;
 
 const SCRIPT = `
-  import { createDecoder, IsostarError } from 'isostar';
+  import { createDecoder, IsostarError, RangeSource } from 'isostar';
   import { IsostarLoader } from 'isostar/three';
   import 'isostar/element';
-  Object.assign(window, { createDecoder, IsostarError, IsostarLoader });`;
+  Object.assign(window, { createDecoder, IsostarError, IsostarLoader, RangeSource });`;
 
 /**
  * esbuild does not follow `new URL(…, import.meta.url)`, so the worker, its imports and the

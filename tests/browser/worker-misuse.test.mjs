@@ -47,7 +47,8 @@ async function open() {
     window.posted = [];
     Worker.prototype.postMessage = function (message, transfer) {
       const { type, piece } = message;
-      window.posted.push({ type, length: piece?.byteLength, buffer: piece?.buffer.byteLength });
+      const { byteLength: length, buffer } = piece?.bytes ?? {};
+      window.posted.push({ type, length, buffer: buffer?.byteLength });
       return postMessage.call(this, message, transfer);
     };
     window.load = async (path) => new Uint8Array(await (await fetch(path)).arrayBuffer());

@@ -114,6 +114,9 @@ export const gyroidStream = () =>
   encodeField('gyroid', [64, 60, 50], gyroid(25), '--spacing', '0.5,1,2');
 /** Takes more than 4 MB to decode. */
 export const largeStream = () => encodeField('large', [120, 120, 120], gyroid(25));
+/** 2³ chunks on the last level. */
+export const chunkedStream = () =>
+  encodeField('chunked', [150, 140, 145], gyroid(60), '--chunk', '64');
 /** Three isovalues: 0, 0.25 and 0.5. */
 export const severalStream = () =>
   encodeField('gyroids', [64, 60, 50], gyroid(25), '--near', '0.25,0.5');

@@ -95,7 +95,7 @@ TEST(Chunks, prefixesShowSoundClosedSurfaces) {
   for (const auto& field : fieldsOf({33, 34, 17})) {
     const Bytes bytes = encoded(field, inChunks(16));
     uint64_t before = 0;
-    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 60) {
+    for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 30) {
       const Decoder decoder = decoderOf(std::span(bytes).first(length));
       ASSERT_EQ(decoder.error(), Error::Truncated);
       ASSERT_GE(decoder.bytes(), before);

@@ -5,6 +5,8 @@ import type { WasmSource } from './codec/load-module.js';
 
 export { IsostarError, type IsostarErrorCode } from './api/errors.js';
 export type * from './api/surface.js';
+export { RangeSource } from './input/range-source.js';
+export type { HttpOptions } from './input/http-file.js';
 export type { WasmSource } from './codec/load-module.js';
 
 export interface DecoderOptions {

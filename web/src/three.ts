@@ -12,6 +12,7 @@ import {
   createDecoder,
   type Decoder,
   type DecoderOptions,
+  RangeSource,
   type Source,
   type Surface,
   type SurfaceOptions,
@@ -39,7 +40,7 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     return this;
   }
 
-  /** Polygonizer, frame, normals, isovalue, refinements, limits. */
+  /** Polygonizer, frame, normals, isovalue, region, refinements, limits. */
   setSurfaceOptions(options: SurfaceOptions): this {
     this.#surfaceOptions = options;
     return this;
@@ -97,12 +98,15 @@ export class IsostarLoader extends Loader<BufferGeometry> {
     onProgress?: (event: IsostarProgress) => void,
   ): Promise<BufferGeometry> {
     const decoder = this.#ready();
-    const credentials = this.crossOrigin === 'anonymous' ? 'same-origin' : 'include';
-    const response = await fetch(address, {
+    const isOpen = this.withCredentials || this.crossOrigin !== 'anonymous';
+    const options = {
       headers: this.requestHeader,
-      credentials: this.withCredentials ? 'include' : credentials,
-    });
-    return this.#decode(await decoder, response, onProgress);
+      credentials: isOpen ? ('include' as const) : ('same-origin' as const),
+    };
+    const source = this.#surfaceOptions.region
+      ? new RangeSource(address, options)
+      : await fetch(address, options);
+    return this.#decode(await decoder, source, onProgress);
   }
 
   async #parse(bytes: Uint8Array): Promise<BufferGeometry> {

@@ -31,6 +31,7 @@ class Service {
       const { id } = request;
       const inbox = new Inbox({
         taken: (weight) => this.#port.postMessage({ type: 'taken', id, weight }),
+        wanted: (ranges) => this.#port.postMessage({ type: 'wanted', id, ranges }),
         enough: () => this.#port.postMessage({ type: 'enough', id }),
       });
       const surfaces = this.#decoder!.decode(inbox, request.options);

@@ -2,9 +2,11 @@
 import {
   createDecoder,
   IsostarError,
+  RangeSource,
   type Decoder,
   type IsostarErrorCode,
   type Limits,
+  type Region,
   type Surface,
 } from 'isostar';
 import { IsostarLoader } from 'isostar/three';
@@ -34,6 +36,16 @@ try {
 } catch (reason) {
   if (reason instanceof IsostarError) console.log(reason.code satisfies IsostarErrorCode);
 }
+const region: Region = { min: [0, 0, 0], max: [9, 9, 9.5] };
+const ranges = new RangeSource(new URL('https://example.org/skull.isostar'), {
+  headers: { 'X-Token': 'blue' },
+  credentials: 'include',
+  fetch,
+});
+decoder.decode(ranges, { region, frame: 'grid' });
+decoder.decode(new RangeSource(new Blob()), { region: undefined });
+// @ts-expect-error: two numbers
+decoder.decode(ranges, { region: { min: [0, 0], max: [9, 9] } });
 // @ts-expect-error: not a polygonizer
 decoder.decode(new Uint8Array(), { polygonizer: 'pyramids' });
 // @ts-expect-error: not a number

@@ -1,3 +1,5 @@
+import type { RangeSource } from '../input/range-source.js';
+
 /**
  * Which surface is made of the decoded scalars: one vertex per crossing axis edge, as marching
  * cubes has, or one polygon per crossing tetrahedron.
@@ -6,6 +8,12 @@ export type Polygonizer = 'cubes' | 'tetrahedra';
 
 /** `world` applies spacing, origin and direction; `grid` puts sample (i,j,k) at point (i,j,k). */
 export type Frame = 'world' | 'grid';
+
+/** A box along the axes of a frame, its boundary included. */
+export interface Region {
+  readonly min: readonly [number, number, number];
+  readonly max: readonly [number, number, number];
+}
 
 /** One piece of the stream after which the decoded surface is better. */
 export interface Layer {
@@ -41,6 +49,8 @@ export interface StreamInfo {
   readonly lossless: boolean;
   /** The encoder's `--effort`: 2 takes longer to decode. */
   readonly effort: number;
+  /** Cells of a chunk on a side; 0 if each level is one chunk. */
+  readonly chunkSide: number;
   /** The bound that the encoder was given, in grid steps; 0 for lossless streams. */
   readonly maxError: number;
   /** Of the final surface that `cubes` makes. */
@@ -91,7 +101,8 @@ export type Source =
   | ReadableStream<Uint8Array<ArrayBufferLike>>
   | AsyncIterable<Uint8Array<ArrayBufferLike>>
   | Uint8Array<ArrayBufferLike>
-  | Response;
+  | Response
+  | RangeSource;
 
 /**
  * What decoding one stream may cost. A stream that would cost more ends in an `IsostarError` with
@@ -124,6 +135,13 @@ export interface SurfaceOptions {
   normals?: boolean | undefined;
   /** One of the stream's isovalues, or a value between two of them; by default its first. */
   isovalue?: number | undefined;
+  /**
+   * Only this box, in the frame of `frame`, is decoded at full precision, the rest on coarse levels:
+   * within it vertices are those of the whole stream. Streams without chunks (see
+   * `StreamInfo.chunkSide`) are decoded as a whole. From a `RangeSource` only the bytes for it are
+   * read.
+   */
+  region?: Region | undefined;
   /**
    * `newest` (default): the first surface as early as possible, then always the best one for the
    * bytes at hand, without those that are out of date already; `all`: one surface per layer;

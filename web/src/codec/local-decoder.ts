@@ -40,6 +40,7 @@ export class LocalDecoder implements Decoder {
     const pieces = source.open();
     const inbox = new Inbox({
       taken: (weight) => feed.taken(weight),
+      wanted: (ranges) => feed.want(ranges),
       enough: () => feed.stop(),
     });
     const feed = new Feed(pieces, inbox);

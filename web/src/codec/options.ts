@@ -1,6 +1,7 @@
 import { IsostarError } from '../api/errors.js';
 import type { DecodeOptions, Limits, SurfaceOptions } from '../api/surface.js';
 import { checkLimits, withDefaults } from './limits.js';
+import { checkRegion } from './region.js';
 
 /** The options of decode(), sorted by who uses them. `surface` can be posted to a worker. */
 export interface SortedOptions {
@@ -10,10 +11,11 @@ export interface SortedOptions {
 }
 
 export function sortOptions(options: DecodeOptions, defaults: Limits | undefined): SortedOptions {
-  const { signal, isovalue, polygonizer, frame, normals, refinements } = options;
+  const { signal, isovalue, polygonizer, frame, normals, region, refinements } = options;
   checkLimits(options.limits);
+  checkRegion(region);
   const limits = withDefaults(options.limits, defaults);
-  const surface = { polygonizer, frame, normals, refinements, limits };
+  const surface = { polygonizer, frame, normals, region, refinements, limits };
   if (isovalue === undefined) return { signal, isovalues: undefined, surface };
   if (typeof isovalue === 'number')
     return { signal, isovalues: undefined, surface: { ...surface, isovalue } };

@@ -13,8 +13,25 @@ export interface RawModule {
 
 /** The C++ `isostar::Decoder`, under the same names. */
 export interface RawDecoder {
+  setRegion(
+    x0: number,
+    y0: number,
+    z0: number,
+    x1: number,
+    y1: number,
+    z1: number,
+    frame: object,
+  ): string;
   room(bytes: number): Uint8Array;
-  accept(bytes: number): void;
+  /** `offset`: where in the stream the bytes in the room begin. */
+  accept(bytes: number, offset: number): void;
+  /** The first wanted bytes from `from` on; equal: none are wanted. */
+  wantedBegin(from: number): number;
+  wantedEnd(from: number): number;
+  setShare(number: number, of: number): string;
+  needsOthers(): boolean;
+  results(): Uint8Array;
+  takeResults(bytes: number): boolean;
   finish(): void;
   advance(): boolean;
   isFinal(): boolean;
@@ -28,5 +45,7 @@ export interface RawDecoder {
   positions(): Float32Array;
   normals(): Float32Array;
   indices(): Uint32Array;
+  /** Of each `isostar::MeshRun`: order, first vertex, vertices, corners. */
+  runs(): Uint32Array;
   delete(): void;
 }

@@ -7,6 +7,7 @@ import type {
   Surface,
   SurfaceOptions,
 } from '../api/surface.js';
+import type { ByteRange } from '../input/byte-ranges.js';
 import type { Inbox, Input } from '../input/inbox.js';
 import { pause } from './pause.js';
 import type { RawDecoder, RawModule } from './raw.js';
@@ -35,8 +36,7 @@ export class Session {
   readonly #refinements: 'newest' | 'all' | 'last';
   #isovalue: number | undefined;
   #isLost = false;
-  #accepted = 0; // bytes
-  #total = 0; // bytes of the whole stream; 0 before its header has arrived
+  #hasHeader = false;
   #decodeTime = 0;
 
   /** `onLost` is called if the module fails and cannot be called again. */
@@ -47,6 +47,7 @@ export class Session {
       frame = 'world',
       normals = true,
       refinements = 'newest',
+      region,
       isovalue,
       limits = {},
     }: SurfaceOptions,
@@ -64,6 +65,7 @@ export class Session {
     this.#isovalue = isovalue;
     const { memory = NaN, samples = NaN, vertices = NaN, decisions = NaN } = limits;
     this.#raw = this.#run(() => new module.Decoder(memory, samples, vertices, decisions));
+    if (region) this.#raw.setRegion(...region.min, ...region.max, module.Frame[frame]);
   }
 
   async *surfaces(inbox: Inbox): AsyncGenerator<Surface, void, undefined> {
@@ -116,14 +118,12 @@ export class Session {
   }
 
   #accept({ pieces, isEnd }: Input): void {
-    for (const piece of pieces.splice(0)) {
-      this.#accepted += piece.length;
-      for (let at = 0; at < piece.length; at += CHUNK) {
-        const chunk = piece.subarray(at, at + CHUNK);
+    for (const { bytes, offset } of pieces.splice(0))
+      for (let at = 0; at < bytes.length; at += CHUNK) {
+        const chunk = bytes.subarray(at, at + CHUNK);
         this.#raw.room(chunk.length).set(chunk);
-        this.#raw.accept(chunk.length);
+        this.#raw.accept(chunk.length, offset + at);
       }
-    }
     if (isEnd) this.#raw.finish();
   }
 
@@ -134,17 +134,32 @@ export class Session {
     return this.#raw.level() >= 0;
   }
 
-  /** Closes the inbox if no more bytes are needed. */
   #advance(inbox: Inbox): boolean {
     return this.#run(() => {
       const start = performance.now();
       const isBetter = this.#raw.advance();
       this.#decodeTime += performance.now() - start;
-      this.#total ||= this.#raw.info().bytes;
-      const isComplete = this.#total > 0 && this.#accepted >= this.#total;
-      if (isComplete || this.#raw.error() !== 'None') inbox.close();
+      this.#want(inbox);
       return isBetter;
     });
+  }
+
+  /** States which bytes are needed. From the header on that does not change any more. */
+  #want(inbox: Inbox): void {
+    if (!this.#hasHeader) {
+      this.#hasHeader = this.#raw.levels() > 0;
+      inbox.want([...this.#wanted()]);
+    }
+    if (this.#wanted().next().done) inbox.close();
+  }
+
+  *#wanted(): Generator<ByteRange, void> {
+    for (let at = 0; ;) {
+      const [begin, end] = [this.#raw.wantedBegin(at), this.#raw.wantedEnd(at)];
+      if (begin === end) return;
+      yield { begin, end };
+      at = end;
+    }
   }
 
   #failure(): IsostarError | undefined {

@@ -1,24 +1,23 @@
 import { pause } from '../codec/pause.js';
+import type { ByteRange } from './byte-ranges.js';
 import { type Inbox, weightOf } from './inbox.js';
-import type { OwnPiece } from './source.js';
+import type { Pieces } from './pieces.js';
 
 /** What may wait in an inbox before its source is read on, in bytes. */
 const MOST_WAITING = 1 << 24;
 /** For how long a source that never waits may keep the thread, in milliseconds. */
 const TURN = 10;
 
-interface ByteSink extends Pick<Inbox, 'finish' | 'fail'> {
-  accept(piece: OwnPiece): void;
-}
+type ByteSink = Pick<Inbox, 'accept' | 'finish' | 'fail'>;
 
 /** Sends a source's pieces to an inbox, here or in a worker, as they arrive. */
 export class Feed {
-  readonly #pieces: AsyncIterator<OwnPiece>;
+  readonly #pieces: Pieces;
   #waiting = 0;
   #isStopped = false;
   #resume = () => {};
 
-  constructor(pieces: AsyncIterator<OwnPiece>, sink: ByteSink) {
+  constructor(pieces: Pieces, sink: ByteSink) {
     this.#pieces = pieces;
     void this.#run(sink);
   }
@@ -27,6 +26,11 @@ export class Feed {
   taken(weight: number): void {
     this.#waiting -= weight;
     this.#resume();
+  }
+
+  /** The bytes to be read from now on, where the source can leave others out. */
+  want(ranges: readonly ByteRange[]): void {
+    if (!this.#isStopped) this.#pieces.want?.(ranges);
   }
 
   /** No more bytes are needed. Cancels the source, whose errors no longer matter. */

@@ -1,6 +1,9 @@
+import type { ByteRange } from './byte-ranges.js';
+import type { Piece } from './pieces.js';
+
 /** What a decoder takes from its inbox in one go. */
 export interface Input {
-  readonly pieces: Uint8Array[];
+  readonly pieces: Piece[];
   /** All pieces have been taken before. */
   readonly isEnd: boolean;
   /** The isovalue to show from now on. */
@@ -11,12 +14,14 @@ export interface Input {
 export interface InboxEvents {
   /** Pieces of this weight were taken. */
   taken(weight: number): void;
+  /** These bytes are still needed. */
+  wanted(ranges: readonly ByteRange[]): void;
   /** No more bytes are needed. */
   enough(): void;
 }
 
 /** What a piece costs while it waits, in bytes. Many small pieces cost more than their bytes. */
-export const weightOf = (piece: Uint8Array): number => piece.byteLength + 256;
+export const weightOf = ({ bytes }: Piece): number => bytes.byteLength + 256;
 
 /**
  * Bytes and isovalues that have arrived and have not been taken yet. A late take() returns all
@@ -25,7 +30,7 @@ export const weightOf = (piece: Uint8Array): number => piece.byteLength + 256;
 export class Inbox {
   readonly #events: InboxEvents;
   #isClosed = false;
-  #pieces: Uint8Array[] = [];
+  #pieces: Piece[] = [];
   #isFinished = false;
   #isEndTaken = false;
   #isovalue: number | undefined;
@@ -37,7 +42,7 @@ export class Inbox {
     this.#events = events;
   }
 
-  accept(piece: Uint8Array): void {
+  accept(piece: Piece): void {
     if (this.#isClosed) return;
     this.#pieces.push(piece);
     this.#wake();
@@ -47,6 +52,11 @@ export class Inbox {
   finish(): void {
     this.#isFinished = true;
     this.#wake();
+  }
+
+  /** States which bytes are still needed, instead of those stated before. */
+  want(ranges: readonly ByteRange[]): void {
+    if (!this.#isClosed) this.#events.wanted(ranges);
   }
 
   /** Bytes that were not taken yet are dropped, and later ones ignored. */

@@ -1,47 +1,26 @@
 import { IsostarError } from '../api/errors.js';
 import type { Source } from '../api/surface.js';
-
-type Piece = Uint8Array<ArrayBufferLike>;
-/** A piece in a buffer of its own, to which the caller has no reference. */
-export type OwnPiece = Uint8Array<ArrayBuffer>;
+import { badStatus } from './http-file.js';
+import { type ByteIterator, bytesOf, copies, type Pieces } from './pieces.js';
+import { RangeSource } from './range-source.js';
 
 /** A source that is not read yet. */
 export interface HeldSource {
-  /**
-   * Begins to read. The pieces are copies; `return` cancels the source, also while a read is
-   * pending.
-   */
-  open(): AsyncIterator<OwnPiece>;
+  open(): Pieces;
 }
 
 /** Copies a Uint8Array at once; of other sources, each piece is copied when it arrives. */
 export function hold(source: Source): HeldSource {
-  if (!(source instanceof Uint8Array)) return { open: () => copies(piecesOf(source)) };
-  const copy = new Uint8Array(source);
-  return { open: () => once(copy) };
+  if (source instanceof RangeSource) return source;
+  if (!(source instanceof Uint8Array)) return { open: () => copies(iterate(source)) };
+  const piece = { bytes: new Uint8Array(source), offset: 0 };
+  return { open: () => once(piece) };
 }
 
-function copies(pieces: AsyncIterator<Piece>): AsyncIterator<OwnPiece> {
-  return {
-    async next() {
-      const next = await pieces.next();
-      if (next.done) return next;
-      if (!(next.value instanceof Uint8Array))
-        throw new IsostarError('BadArgument', 'a piece of the source is not a Uint8Array');
-      return { done: false, value: new Uint8Array(next.value) };
-    },
-    async return() {
-      await pieces.return?.();
-      return { done: true, value: undefined };
-    },
-  };
-}
-
-function piecesOf(source: Exclude<Source, Uint8Array>): AsyncIterator<Piece> {
-  if (typeof Response !== 'undefined' && source instanceof Response)
-    return piecesOfResponse(source);
+function iterate(source: Exclude<Source, Uint8Array | RangeSource>): ByteIterator {
+  if (typeof Response !== 'undefined' && source instanceof Response) return bytesOfBody(source);
   if (!source || typeof source !== 'object') throw notASource();
-  if ('getReader' in source) return piecesOfStream(source);
+  if ('getReader' in source) return bytesOf(source);
   if (Symbol.asyncIterator in source) return source[Symbol.asyncIterator]();
   throw notASource();
 }
@@ -49,32 +28,15 @@ function piecesOf(source: Exclude<Source, Uint8Array>): AsyncIterator<Piece> {
 const notASource = () =>
   new IsostarError(
     'BadArgument',
-    'the source must be a ReadableStream, an AsyncIterable, a Uint8Array or a Response',
+    'the source must be a ReadableStream, an AsyncIterable, a Uint8Array, a Response' +
+      ' or a RangeSource',
   );
 
-async function* once<Bytes>(bytes: Bytes): AsyncGenerator<Bytes> {
-  yield bytes;
+async function* once<Value>(value: Value): AsyncGenerator<Value, void> {
+  yield value;
 }
 
-function piecesOfResponse(response: Response): AsyncIterator<Piece> {
-  const { ok, url, status, statusText } = response;
-  if (!ok)
-    throw new IsostarError(
-      'BadArgument',
-      `${url || 'the response'}: HTTP status ${status} ${statusText}`.trim(),
-    );
-  return response.body ? piecesOfStream(response.body) : once(new Uint8Array());
-}
-
-// Some browsers' ReadableStream is not async-iterable, and its own iterator cannot be cancelled
-// while a read is pending.
-function piecesOfStream(stream: ReadableStream<Piece>): AsyncIterator<Piece> {
-  const reader = stream.getReader();
-  return {
-    next: () => reader.read() as Promise<IteratorResult<Piece>>,
-    return: async () => {
-      await reader.cancel();
-      return { done: true, value: undefined };
-    },
-  };
+function bytesOfBody(response: Response): ByteIterator {
+  if (!response.ok) throw badStatus(response, response.url || 'the response');
+  return response.body ? bytesOf(response.body) : once(new Uint8Array());
 }

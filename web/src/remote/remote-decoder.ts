@@ -5,7 +5,8 @@ import type { WasmSource } from '../codec/load-module.js';
 import { sortOptions } from '../codec/options.js';
 import { Feed } from '../input/feed.js';
 import { sendIsovalues } from '../input/inbox.js';
-import { hold, type HeldSource, type OwnPiece } from '../input/source.js';
+import type { Piece } from '../input/pieces.js';
+import { hold, type HeldSource } from '../input/source.js';
 import { type Call, WorkerLink } from './worker-link.js';
 
 /** Decodes in a worker of its own; the page only passes bytes on. */
@@ -90,7 +91,7 @@ export class RemoteDecoder implements Decoder {
 /** The inbox at the other end, in the worker. */
 function inboxAt(link: WorkerLink, id: number, call: Call) {
   return {
-    accept: (piece: OwnPiece) => link.post({ type: 'accept', id, piece }, [piece.buffer]),
+    accept: (piece: Piece) => link.post({ type: 'accept', id, piece }, [piece.bytes.buffer]),
     finish: () => link.post({ type: 'finish', id }),
     beginIsovalues: () => link.post({ type: 'beginIsovalues', id }),
     setIsovalue: (isovalue: number) => link.post({ type: 'setIsovalue', id, isovalue }),

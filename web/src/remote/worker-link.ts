@@ -22,6 +22,7 @@ export class Call {
 
   accept(message: Reply | Report): void {
     if (message.type === 'taken') this.feed?.taken(message.weight);
+    else if (message.type === 'wanted') this.feed?.want(message.ranges);
     else if (message.type === 'enough') this.feed?.stop();
     else {
       this.#waiting?.resolve(message);
