@@ -37,6 +37,45 @@ function atMost(what, target, all, value, { worst = false, digits = 2 } = {}) {
   };
 }
 
+function atLeast(what, target, all, value) {
+  const numbers = known(all, value);
+  if (numbers.length === 0)
+    return { what, target: `≥ ${target} each`, measured: 'not measured', met: undefined };
+  const mean = geometricMean(numbers.map(({ value: v }) => v));
+  const lowest = numbers.reduce((a, b) => (b.value < a.value ? b : a));
+  return {
+    what,
+    target: `≥ ${target} each`,
+    measured: `mean ${fixed(mean, 2)}, worst ${fixed(lowest.value, 2)} (${lowest.name})`,
+    met: lowest.value >= target,
+  };
+}
+
+/** Times with several threads, of surfaces that are divided into chunks. */
+export function threadCriteria(all) {
+  const FEWEST_VERTICES = 200000;
+  const large = all.filter(({ vertices }) => vertices >= FEWEST_VERTICES);
+  const worst = { worst: true };
+  return [
+    atMost(
+      'decode and polygonize against Draco level 7',
+      0.8,
+      large,
+      (one) => one.decodeInThreads,
+      worst,
+    ),
+    atMost(
+      'encode against marching cubes and Draco level 7',
+      0.6,
+      large,
+      (one) => one.encode7InThreads,
+      worst,
+    ),
+    atLeast('decode and polygonize, against one thread', 1.75, large, (one) => one.decodeGain),
+    atLeast('encode, against one thread', 1.75, large, (one) => one.encodeGain),
+  ];
+}
+
 /** Prefixes are decoded before this. Distances are sampled, so that they may rise a little. */
 function falling(all) {
   const NOISE = 1.02;

@@ -6,8 +6,9 @@ import { fixed, kilobytes, significant, table, times } from '../output/markdown.
 const at = (one, rms) => one.rate.find((point) => point.rms === rms);
 const atRms005 = (key) => (one) => times(at(one, 0.05)?.[key]);
 
-export const overview = (all) =>
-  table(all, [
+export function overview(all) {
+  const { threads } = all[0];
+  return table(all, [
     ['surface', (one) => one.name],
     ['vertices', (one) => one.vertices],
     ['isostar kB', (one) => kilobytes(one.bytes)],
@@ -18,10 +19,15 @@ export const overview = (all) =>
     ['Draco 10 kB at that RMS', (one) => kilobytes(one.dracoBytes)],
     ['smaller at RMS 0.05', atRms005('draco10')],
     ['decode: native', (one) => times(one.decode)],
+    [`${threads} threads`, (one) => times(one.decodeInThreads)],
+    ['gain', (one) => fixed(one.decodeGain, 2)],
     ['wasm', (one) => times(one.wasm)],
     ['encode', (one) => times(one.encode7)],
+    [`${threads} threads`, (one) => times(one.encode7InThreads)],
+    ['gain', (one) => fixed(one.encodeGain, 2)],
     ['memory', (one) => times(one.memory)],
   ]);
+}
 
 /** The README's table. */
 export const summary = (all) =>

@@ -94,13 +94,18 @@ function prefixCounts(raw, drawn) {
   return { prefixes: judged.length, farther: farther.length };
 }
 
-function timeRatios({ times: { encode, decode }, wasm, memory }) {
+function timeRatios({ times: { threads, encode, decode }, wasm, memory }) {
   return {
+    threads,
     decode: decode.isostarPolygonized / decode.draco7,
     decodeWithNormals: decode.isostarWithNormals / decode.draco7,
     wasm: wasm.isostarPolygonized / wasm.draco7,
     wasmWithNormals: wasm.isostarWithNormals / wasm.draco7,
+    decodeInThreads: decode.isostarPolygonizedInThreads / decode.draco7,
+    decodeGain: decode.isostarPolygonized / decode.isostarPolygonizedInThreads,
     encode7: encode.isostar / (encode.marchingCubes + encode.draco7),
+    encode7InThreads: encode.isostarInThreads / (encode.marchingCubes + encode.draco7),
+    encodeGain: encode.isostar / encode.isostarInThreads,
     encode10: encode.isostar / (encode.marchingCubes + encode.draco10),
     memory: memory.isostar / memory.draco,
   };

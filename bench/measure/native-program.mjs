@@ -34,7 +34,7 @@ export const figure6 = (program, input, { quick }) =>
     ...(quick ? ['--points', '2000', '--prefixes', '6'] : []),
   ]);
 
-export const times = (program, input, folder, { quick }) =>
+export const times = (program, input, folder, { quick, threads }) =>
   run(program, [
     'times',
     ...subject(input),
@@ -42,6 +42,8 @@ export const times = (program, input, folder, { quick }) =>
     folder,
     '--milliseconds',
     quick ? '200' : '1500',
+    '--threads',
+    threads,
   ]);
 
 export const memory = (program, codec, file) => run(program, ['memory', codec, file]);

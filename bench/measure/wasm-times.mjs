@@ -16,7 +16,7 @@ async function isostarModule(build) {
 function decodeIsostar(module, bytes, normals) {
   const decoder = new module.Decoder(NaN, NaN, NaN, NaN);
   decoder.room(bytes.length).set(bytes);
-  decoder.accept(bytes.length);
+  decoder.accept(bytes.length, 0);
   decoder.finish();
   while (decoder.advance());
   const error = decoder.makeMesh(

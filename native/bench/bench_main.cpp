@@ -40,6 +40,9 @@ int main(int argc, char** argv) {
       .add_option("--milliseconds", timeOptions.milliseconds, "Duration of each measurement")
       ->capture_default_str();
   timesCommand.add_option("--keep", timeOptions.keep, "Folder for surface.isostar and surface.drc");
+  timesCommand.add_option("--threads", timeOptions.threads, "Threads of the columns with several")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   timesCommand.callback([&] { std::cout << times(readSubject(request), timeOptions) << "\n"; });
 
   CLI::App& chunksCommand = addSubject(app, "chunks", "The bytes of streams in chunks", request);

@@ -19,8 +19,11 @@ EncodeOptions boundedBy(double maxError, const Subject& subject) {
 
 }  // namespace
 
-std::vector<std::byte> encodeIsostar(const Subject& subject, double maxError) {
-  return encoded(subject, boundedBy(maxError, subject));
+std::vector<std::byte> encodeIsostar(const Subject& subject, double maxError,
+                                     const RunTasks& runTasks) {
+  EncodeOptions options = boundedBy(maxError, subject);
+  options.runTasks = runTasks;
+  return encoded(subject, options);
 }
 
 std::vector<std::byte> encodeIsostarInChunks(const Subject& subject, double maxError, int side) {
@@ -55,8 +58,8 @@ std::vector<std::byte> encodeIsostarLossless(const Subject& subject) {
   return encoded(subject, options);
 }
 
-Decoder decodeIsostar(std::span<const std::byte> prefix) {
-  Decoder decoder;
+Decoder decodeIsostar(std::span<const std::byte> prefix, const RunTasks& runTasks) {
+  Decoder decoder({}, runTasks);
   decoder.accept(prefix);
   decoder.finish();
   while (decoder.advance()) {

@@ -8,7 +8,7 @@
 
 namespace isostar::bench {
 
-std::vector<std::byte> encodeIsostar(const Subject&, double maxError);
+std::vector<std::byte> encodeIsostar(const Subject&, double maxError, const RunTasks& = {});
 /// With chunks of this side; 0: one chunk.
 std::vector<std::byte> encodeIsostarInChunks(const Subject&, double maxError, int side);
 /// With coarse simplices if they keep the bound and make the stream smaller.
@@ -20,7 +20,7 @@ std::vector<std::byte> encodeIsostarWith(const Subject&, double further, double 
 std::vector<std::byte> encodeIsostarLossless(const Subject&);
 
 /// A decoder that has decoded the whole prefix. Throws a Failure on any error except truncation.
-Decoder decodeIsostar(std::span<const std::byte> prefix);
+Decoder decodeIsostar(std::span<const std::byte> prefix, const RunTasks& = {});
 
 /// The marching cubes mesh of the decoder, in sample indices.
 Mesh meshOf(const Decoder&, bool normals);

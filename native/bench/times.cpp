@@ -6,6 +6,7 @@
 #include "bench/isostar_codec.h"
 #include "bench/shortest_times.h"
 #include "files/output_file.h"
+#include "threads/parallel_tasks.h"
 
 namespace isostar::bench {
 namespace {
@@ -19,24 +20,32 @@ Json encodeTimes(const Subject& subject, const TimeOptions& options) {
   const auto best = shortestTimes(
       {[&] { marchingCubes(subject.volume, subject.isovalue); },
        [&] { encodeIsostar(subject, EncodeOptions{}.maxError); },
+       [&] { encodeIsostar(subject, EncodeOptions{}.maxError, parallelTasks()); },
        [&] { encodeDraco(subject.mesh, 7, kBits); }, [&] { encodeDraco(subject.mesh, 10, kBits); }},
       options.milliseconds);
-  return {
-      {"marchingCubes", best[0]}, {"isostar", best[1]}, {"draco7", best[2]}, {"draco10", best[3]}};
+  return {{"marchingCubes", best[0]},
+          {"isostar", best[1]},
+          {"isostarInThreads", best[2]},
+          {"draco7", best[3]},
+          {"draco10", best[4]}};
 }
 
 Json decodeTimes(const Bytes& stream, const Bytes& draco7, const Bytes& draco10,
                  const TimeOptions& options) {
   const auto best =
       shortestTimes({[&] { decodeIsostar(stream); }, [&] { meshOf(decodeIsostar(stream), false); },
-                     [&] { meshOf(decodeIsostar(stream), true); }, [&] { decodeDraco(draco7); },
-                     [&] { decodeDraco(draco10); }},
+                     [&] { meshOf(decodeIsostar(stream), true); },
+                     [&] { decodeIsostar(stream, parallelTasks()); },
+                     [&] { meshOf(decodeIsostar(stream, parallelTasks()), false); },
+                     [&] { decodeDraco(draco7); }, [&] { decodeDraco(draco10); }},
                     options.milliseconds);
   return {{"isostar", best[0]},
           {"isostarPolygonized", best[1]},
           {"isostarWithNormals", best[2]},
-          {"draco7", best[3]},
-          {"draco10", best[4]}};
+          {"isostarInThreads", best[3]},
+          {"isostarPolygonizedInThreads", best[4]},
+          {"draco7", best[5]},
+          {"draco10", best[6]}};
 }
 
 void write(const Bytes& bytes, const std::filesystem::path& path) {
@@ -56,7 +65,9 @@ Json times(const Subject& subject, const TimeOptions& options) {
     write(stream, std::filesystem::path(options.keep) / "surface.isostar");
     write(draco7, std::filesystem::path(options.keep) / "surface.drc");
   }
-  return {{"encode", encodeTimes(subject, options)},
+  useThreads(options.threads);
+  return {{"threads", options.threads},
+          {"encode", encodeTimes(subject, options)},
           {"decode", decodeTimes(stream, draco7, draco10, options)}};
 }
 
