@@ -1,24 +1,26 @@
 #!/usr/bin/env bash
 # Runs C++ tests under sanitizers: `sanitize.sh [PRESET [SUITE...]]`. Presets: asan (GCC: addresses,
 # leaks, undefined behaviour), ubsan-integer (Clang: undefined behaviour, and conversions that
-# change a value) and fuzz (as asan, in the fuzzers' build, which has the library already); by
-# default asan and ubsan-integer. Suites: golden, hostile, unit, property and, where address
-# sanitizers are, native and command_line; by default all, and golden and hostile with fuzz.
+# change a value), tsan (GCC: data races) and fuzz (as asan, in the fuzzers' build, which has the
+# library already); by default asan, ubsan-integer and tsan. Suites: golden, hostile, unit, property,
+# threads and, where address sanitizers are, native and command_line; by default all, golden and
+# hostile with fuzz, and threads with tsan.
 # SANITIZE_SECONDS, if set, ends a suite that takes longer. A finding ends its suite and is printed;
 # exit status 1.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-presets=(asan ubsan-integer)
+presets=(asan ubsan-integer tsan)
 if [ $# -gt 0 ]; then presets=("$1"); shift; fi
 launcher=()
 if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-export UBSAN_OPTIONS=print_stacktrace=1
+export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
 
 suitesOf() {
   case $1 in
     fuzz) echo golden hostile ;;
-    asan) echo golden hostile unit property native command_line ;;
+    tsan) echo threads ;;
+    asan) echo golden hostile unit property threads native command_line ;;
     *) echo golden hostile unit property ;;
   esac
 }
@@ -46,7 +48,7 @@ for preset in "${presets[@]}"; do
     echo "sanitize: $preset $suite: $summary"
     [ $status = 0 ] && continue
     failed=1
-    grep -E -A12 'ERROR: |runtime error|SUMMARY|Failure' "$log" | head -60 >&2
+    grep -E -A12 'ERROR: |WARNING: |runtime error|SUMMARY|Failure' "$log" | head -60 >&2
   done
 done
 exit $failed

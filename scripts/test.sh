@@ -17,4 +17,5 @@ node --test --test-concurrency=1 --test-timeout=120000 tests/browser/*.test.mjs 
 own=(layers decode mended pieces round_trip ply obj stl glb raw named_files tiff_pages)
 bash scripts/fuzz.sh "${1:-10}" "${own[@]}" || failed=1
 bash scripts/sanitize.sh fuzz golden || failed=1
+bash scripts/sanitize.sh tsan || failed=1
 exit $failed

@@ -12,6 +12,8 @@
 namespace isostar {
 namespace {
 
+const RunTasks kInOrder;
+
 /// Samples of a function on a grid of 33³.
 std::vector<float> sampled(double (*f)(double, double, double)) {
   std::vector<float> samples;
@@ -32,7 +34,7 @@ double remainingError(double (*f)(double, double, double), SmoothingFilter filte
   auto signs = field.signs();
   while (coarser-- > 0) signs = coarsened(signs);
   const auto active = activeBricks(signs);
-  const DisplacementPlan<3> plan(field, signs, active, filter);
+  const DisplacementPlan<3> plan(field, signs, active, filter, kInOrder);
   const double first = plan.error({});
   Displacements<3> reached;
   for (const DisplacementPass& pass : {DisplacementPass{2, 12}, {1, 12}, {1, 3}})
@@ -71,7 +73,7 @@ TEST(DisplacementPlan, reachesWhatTheCoderCodes) {
   const GridField<3> field(samples, {33, 33, 33}, 0);
   const auto signs = field.signs();
   const auto active = activeBricks(signs);
-  const DisplacementPlan<3> plan(field, signs, active, SmoothingFilter::Wide);
+  const DisplacementPlan<3> plan(field, signs, active, SmoothingFilter::Wide, kInOrder);
   struct Planned : NoScalars {
     [[nodiscard]] int displacement(std::size_t brickIndex, std::size_t block) const {
       return steps.at(brickIndex)[block];

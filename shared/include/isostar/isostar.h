@@ -45,8 +45,8 @@ const char* name(Error);
 const char* describe(Error);
 
 /// How a caller runs pieces of work that do not depend on each other: calls task(0) … task(count -
-/// 1), each once, in any order and on any threads, and returns when all have returned. Results do
-/// not depend on it. Empty: one after the other.
+/// 1), each once, in any order and on any threads, and returns when all have returned. A task may
+/// call it again. Results do not depend on it. Empty: one after the other.
 using RunTasks =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 

@@ -76,11 +76,12 @@ bool valid(std::span<const float> samples, std::span<const float> domain,
   if (options.preserveTopology && D != 3) return false;
   if (options.adaptive && (options.lossless || D == 4 || !options.furtherIsovalues.empty()))
     return false;
-  if (!bounded || !invertible(header.placement) || !sensible<D>(samples, size, options.isovalue))
+  if (!bounded || !invertible(header.placement) ||
+      !sensible<D>(samples, size, options.isovalue, options.runTasks))
     return false;
   if (options.furtherIsovalues.size() > Header::kMostFurther || !distinct(options)) return false;
-  return domain.empty() || (sensible<D>(domain, size, 0) && !options.preserveTopology &&
-                            options.furtherIsovalues.empty());
+  return domain.empty() || (sensible<D>(domain, size, 0, options.runTasks) &&
+                            !options.preserveTopology && options.furtherIsovalues.empty());
 }
 
 /// Sets the header's fields that follow from the options alone.
@@ -112,9 +113,9 @@ Error encodeGrid(std::span<const float> samples, std::span<const float> domain, 
   setOptions(header, options);
   if (header.trimmed && !header.lossless) header.maxError = boundOf(header);
   std::deque<Source<D>> sources;
-  sources.emplace_back(samples, size, options.isovalue);
+  sources.emplace_back(samples, size, options.isovalue, options.runTasks);
   for (const double isovalue : header.furtherIsovalues)
-    sources.emplace_back(samples, size, isovalue);
+    sources.emplace_back(samples, size, isovalue, options.runTasks);
   Precision precision;
   for (const Source<D>& source : sources)
     precision.add(source.precision(header.polygonizer), source.isovalue() - header.isovalue);

@@ -57,16 +57,16 @@ void codeGeometry(UniformWriter<D>& layers, const Header& header) {
     codePass(layers, header, magnitudePass<D>(header, distance));
   }
   codePass(layers, header, magnitudePass<D>(header, bound));
+  auto beyondBound = layers.beyond(bound);
   if (header.lossless) return;
   // Movements of crossings are estimated to first order. Where the bound does not hold yet, the
   // bricks concerned are refined further.
-  for (distance = bound / 2; distance > bound / 64; distance /= 2) {
-    auto beyondBound = layers.beyond(bound);
-    if (beyondBound.empty()) return;
-    layers.select(std::move(beyondBound));
+  for (distance = bound / 2; !beyondBound.empty() && distance > bound / 64; distance /= 2) {
+    layers.select(beyondBound);
     GeometryPass<D> repair = magnitudePass<D>(header, distance);
     repair.selective = true;
     codePass(layers, header, repair);
+    beyondBound = layers.beyond(bound, beyondBound);
   }
 }
 
@@ -121,7 +121,7 @@ template <int D>
   double largest = 0;
   // In an image a block has as many vertices as edges.
   const bool displaces = D > 2 && header.vertices >= kFewestDisplaced;
-  layers.signs([&](int level) {
+  layers.signs(displaces, [&](int level) {
     if (displaces && level + 1 == header.finestLevel()) codeCoarseDisplacements(layers);
   });
   if (header.trimmed && header.vertices != 0) layers.domain();

@@ -1,10 +1,13 @@
 // The encoder's side of the traversal of a uniform stream: writes its layers.
 #pragma once
 
-#include <limits>
+#include <algorithm>
+#include <array>
 
 #include "coding/chunked_level.h"
 #include "encoder/chunk_field.h"
+#include "encoder/core/bound_check.h"
+#include "encoder/core/chunk_order.h"
 #include "encoder/core/coded_layers.h"
 #include "encoder/core/displacement_plan.h"
 #include "encoder/core/source.h"
@@ -19,12 +22,15 @@ template <int D>
 class UniformWriter {
  public:
   UniformWriter(const Header& header, const EncodeOptions& options, Source<D>& first)
-      : options_(options), finestLevel_(header.finestLevel()), source_(&first), state_(header) {}
+      : options_(options), finestLevel_(header.finestLevel()), source_(&first), state_(header) {
+    check_.emplace(first.check());
+  }
 
   /// Codes the signs of all levels. after(level) may code more layers on each level, except in
-  /// streams that preserve the topology.
+  /// streams that preserve the topology. `displaces`: whether displacementPlan() will be asked for
+  /// on the finest level.
   template <class After>
-  void signs(After after) {
+  void signs(bool displaces, After after) {
     const Signs<D>& finest = source_->signs();
     std::vector<Signs<D>> coarse(static_cast<std::size_t>(finestLevel_));
     for (std::size_t level = coarse.size(); level-- > 0;)
@@ -37,7 +43,7 @@ class UniformWriter {
       }
     }
     const SmoothingFilter filter = finestFilter();
-    for (int level = 0; level <= finestLevel_; ++level) {
+    const auto codeLevel = [&](int level) {
       const Signs<D>& actual =
           level < finestLevel_ ? coarse[static_cast<std::size_t>(level)] : finest;
       const LayerHead head{.kind = level == 0 ? LayerKind::Base : LayerKind::Refinement,
@@ -48,8 +54,18 @@ class UniformWriter {
         exchange.setFilter(filter_);
       });
       if (!state_.partial) after(level);
-      if (options_.progress) options_.progress(0.5 * (level + 1) / (finestLevel_ + 1));
-    }
+    };
+    // Coarse levels are coded one after the other, each by one task: meanwhile others plan.
+    runAll(options_.runTasks, displaces ? 2 : 1, [&](std::size_t task) {
+      if (task == 0) {
+        for (int level = 0; level < finestLevel_; ++level) codeLevel(level);
+      } else {
+        finestPlan_.emplace(source_->field(), finest, source_->active(), filter, options_.runTasks);
+      }
+    });
+    if (options_.progress) options_.progress(0.25);
+    codeLevel(finestLevel_);
+    if (options_.progress) options_.progress(0.5);
   }
 
   void domain() { code({.kind = LayerKind::Domain, .level = finestLevel_}, source_->signs()); }
@@ -58,6 +74,7 @@ class UniformWriter {
   void furtherSigns(int number, Source<D>& source) {
     number_ = number;
     source_ = &source;
+    check_.emplace(source.check());
     code({.kind = LayerKind::FurtherSigns, .level = number}, source.signs());
   }
 
@@ -69,20 +86,18 @@ class UniformWriter {
   }
 
   /// Marks, by brick index, the bricks where a vertex of the surface is off by more than the bound.
-  /// Empty if there are none.
-  [[nodiscard]] std::vector<uint8_t> beyond(double bound) const {
+  /// Empty if there are none. `changed`: what the passes since the last call have selected; empty:
+  /// all.
+  [[nodiscard]] std::vector<uint8_t> beyond(double bound,
+                                            const std::vector<uint8_t>& changed = {}) {
     if (number_ == 0)
-      return source_->distance().beyond(bound, state_.signs, state_.scalars, state_.active);
+      return check_->beyond(bound, state_.signs, state_.scalars, state_.active, changed);
     const FurtherSurface<D>& last = state_.further.surfaces().back();
-    return source_->distance().beyond(bound, last.signs, last.scalars, last.active);
+    return check_->beyond(bound, last.signs, last.scalars, last.active, changed);
   }
-  /// The largest distance of a vertex from the source's, of the isovalue in work, grid steps.
-  [[nodiscard]] double largestError() const {
-    if (number_ == 0)
-      return source_->distance().largest(state_.signs, state_.scalars, state_.active);
-    const FurtherSurface<D>& last = state_.further.surfaces().back();
-    return source_->distance().largest(last.signs, last.scalars, last.active);
-  }
+  /// The largest distance of a vertex from the source's, of the isovalue in work, grid steps; as of
+  /// the last call of beyond().
+  [[nodiscard]] double largestError() const { return check_->largest(); }
   void select(std::vector<uint8_t> marked) { source_->quantized().select(std::move(marked)); }
 
   /// Codes planned displacements; `steps`: in those of the pass.
@@ -93,10 +108,12 @@ class UniformWriter {
     source_->quantized().displace(std::move(steps));
     geometry(geometryPass);
   }
-  /// On the level coded last.
+  /// On the level coded last. To be called once on the finest level.
   [[nodiscard]] DisplacementPlan<D> displacementPlan() {
+    if (state_.level == finestLevel_ && finestPlan_) return std::move(*finestPlan_);
     if (state_.active.empty()) state_.findActive();
-    return DisplacementPlan<D>(source_->field(), state_.signs, state_.active, state_.filter);
+    return DisplacementPlan<D>(source_->field(), state_.signs, state_.active, state_.filter,
+                               options_.runTasks);
   }
   [[nodiscard]] const Displacements<D>& displacements() const { return state_.displacements; }
 
@@ -128,13 +145,17 @@ class UniformWriter {
     const auto count = static_cast<std::size_t>(state_.header.chunks(head.level));
     LayerSections sections(count);
     if (head.kind != LayerKind::Refinement) {
-      runAll(options_.runTasks, count,
-             [&](std::size_t i) { sections[i] = passSection(*level_.chunks()[i], i, pass); });
+      runAll(options_.runTasks, count, [&](std::size_t n) {
+        const std::size_t i = chunkOrder_[n];
+        sections[i] = passSection(*level_.chunks()[i], i, pass);
+      });
       level_.finishPass(pass, true, state_);
       return sections;
     }
+    chunkOrder_ = largestFirst(actual, state_.header.chunkSide);
     typename ChunkedLevel<D>::Chunks chunks(count);
-    runAll(options_.runTasks, count, [&](std::size_t i) {
+    runAll(options_.runTasks, count, [&](std::size_t n) {
+      const std::size_t i = chunkOrder_[n];
       chunks[i] = ChunkedLevel<D>::next(state_, i);
       sections[i] = signSection(*chunks[i], actual);
     });
@@ -185,14 +206,14 @@ class UniformWriter {
 
   /// The smoothing filter that locates the finest level's surface best.
   [[nodiscard]] SmoothingFilter finestFilter() const {
-    SmoothingFilter best = SmoothingFilter::Narrow;
-    double least = std::numeric_limits<double>::infinity();
-    for (const SmoothingFilter filter :
-         {SmoothingFilter::Narrow, SmoothingFilter::Middle, SmoothingFilter::Wide}) {
-      const double error = source_->distance().rms(source_->signs(), {}, {filter});
-      if (error < least) best = filter, least = error;
-    }
-    return best;
+    constexpr std::array kFilters{SmoothingFilter::Narrow, SmoothingFilter::Middle,
+                                  SmoothingFilter::Wide};
+    std::array<double, kFilters.size()> errors;
+    runAll(options_.runTasks, kFilters.size(), [&](std::size_t i) {
+      errors[i] = source_->distance().rms(source_->signs(), {}, {kFilters[i]});
+    });
+    return kFilters[static_cast<std::size_t>(std::min_element(errors.begin(), errors.end()) -
+                                             errors.begin())];
   }
   /// That of another level: coarser levels are less smooth.
   [[nodiscard]] SmoothingFilter filterOf(int level, SmoothingFilter finest) const {
@@ -206,8 +227,9 @@ class UniformWriter {
     if (state_.partial) return distance.rms(state_.partial->shown(finestLevel_)->signs, Hints<D>{});
     if (state_.level < finestLevel_) return distance.rms(state_.signs, state_.hints());
     if (number_ == 0 && !state_.magnitudesRefined && state_.scalars.tableSize() != 0) {
-      Scalars<D> shown = state_.scalars;
-      const int finer = shown.magnify();
+      Scalars<D> shown = state_.scalars.only(distance.bricks());
+      const int finer = state_.scalars.room();
+      shown.scale(finer);
       Dequantization<D>::apply(state_.signs.table(), state_.scalars, finer, shown,
                                distance.bricks());
       return distance.rms(state_.signs, shown, state_.hints(), finer);
@@ -224,8 +246,11 @@ class UniformWriter {
   const int finestLevel_;
   int number_ = 0;  // of the current isovalue
   Source<D>* source_;
+  std::optional<BoundCheck<D>> check_;  // of the current isovalue
   CodecState<D> state_;
   ChunkedLevel<D> level_;
+  std::vector<std::size_t> chunkOrder_;  // in which tasks code the chunks of a level
+  std::optional<DisplacementPlan<D>> finestPlan_;
   SmoothingFilter filter_ = SmoothingFilter::Middle;  // of the level in work
   CodedLayers layers_;
 };

@@ -41,9 +41,9 @@ class FarEnds {
   }
 
   /// May an interval of `width` quantization steps around `middle` half quantization steps move a
-  /// crossing on one of the edges by more than allowed? To first order, half the interval times |b|
-  /// / (|a| + |b|)² is how far the crossing moves. Towards a small end of the interval it is more,
-  /// which `strict` takes into account.
+  /// crossing on one of the edges by more than allowed, from one end of the interval to the other?
+  /// To first order that is the interval times |b| / (|a| + |b|)². Towards a small end of the
+  /// interval it is more, which `strict` takes into account.
   [[nodiscard]] bool move(uint32_t middle, uint32_t width, bool strict) const {
     const uint64_t size = scaled(middle), nearer = strict ? width >> scale_ : 0;
     const uint64_t reach = std::min(uint64_t{width} << 17 >> scale_,

@@ -5,6 +5,7 @@
 #include <bit>
 #include <type_traits>
 
+#include "grid/brick_pieces.h"
 #include "grid/refined_signs.h"
 #include "grid/window.h"
 #include "scalars/scalar_window.h"
@@ -45,14 +46,14 @@ uint32_t edgesInside(const Lattice<D>& lattice, const std::type_identity_t<Coord
   return (1u << count) - 1;
 }
 
-/// Calls enter(brickIndex) for each marked brick, then visit(brick, row, axes, crossed) for each of
-/// its rows and each set of axes with crossing edges. Bit x of `crossed` is the edge from vertex x.
-/// `marked`: by brick index. `diagonals`: whether to visit sets of several axes.
+/// Calls enter(brickIndex) for each marked brick of a range, then visit(brick, row, axes, crossed)
+/// for each of its rows and each set of axes with crossing edges. Bit x of `crossed` is the edge
+/// from vertex x. `marked`: by brick index. `diagonals`: whether to visit sets of several axes.
 template <int D, class Enter, class Visit>
-void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals,
-                    Enter enter, Visit visit) {
+void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked,
+                    const BrickRange& range, bool diagonals, Enter enter, Visit visit) {
   Window<D> window;
-  for (std::size_t brickIndex = 0; brickIndex < marked.size(); ++brickIndex) {
+  for (std::size_t brickIndex = range.first; brickIndex < range.end; ++brickIndex) {
     if (marked[brickIndex] == 0) continue;
     const auto brick = signs.table().brick(brickIndex);
     bool interior = true;
@@ -71,16 +72,29 @@ void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, b
   }
 }
 
-/// The number of crossing axis edges of the marked bricks: the vertices of marching cubes.
+/// The same for all marked bricks.
+template <int D, class Enter, class Visit>
+void forCrossedRows(const Signs<D>& signs, const std::vector<uint8_t>& marked, bool diagonals,
+                    Enter enter, Visit visit) {
+  forCrossedRows(signs, marked, BrickRange{0, marked.size()}, diagonals, enter, visit);
+}
+
+/// The number of crossing axis edges of a range's marked bricks: the vertices of marching cubes.
 template <int D>
-uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marked) {
+uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marked,
+                        const BrickRange& range) {
   uint64_t count = 0;
   forCrossedRows(
-      signs, marked, false, [](std::size_t) {},
+      signs, marked, range, false, [](std::size_t) {},
       [&](const Coordinates<D>&, unsigned, unsigned, uint32_t crossed) {
         count += static_cast<uint64_t>(std::popcount(crossed));
       });
   return count;
+}
+/// The same of all marked bricks.
+template <int D>
+uint64_t countCrossings(const Signs<D>& signs, const std::vector<uint8_t>& marked) {
+  return countCrossings(signs, marked, BrickRange{0, marked.size()});
 }
 
 /// The two ends of an edge from vertex x of row r of a brick: their coordinates on the lattice, and

@@ -78,20 +78,38 @@ class Scalars : public SparseBricks<ScalarBrick<D>> {
   /// that estimates between them are more precise. Returns its exponent. `spare`: so many more bits
   /// are left.
   int magnify(int spare = 0) {
+    const int exponent = room(spare);
+    scale(exponent);
+    return exponent;
+  }
+  /// The exponent of that power of two.
+  [[nodiscard]] int room(int spare = 0) const {
     int32_t largest = 1;
-    this->forEachBrick([&](const Brick& brick) {
-      for (const int32_t value : brick.value) {
+    for (std::size_t brickIndex = 0; brickIndex < this->tableSize(); ++brickIndex) {
+      if (!this->has(brickIndex)) continue;
+      for (const int32_t value : this->at(brickIndex).value) {
         if (value != kUnknown) largest = std::max(largest, std::abs(value));
       }
-    });
-    const int room = std::countl_zero(static_cast<uint32_t>(largest)) - 3 - spare;
-    const int exponent = std::clamp(room, 0, std::max(12 - spare, 0));
+    }
+    const int bits = std::countl_zero(static_cast<uint32_t>(largest)) - 3 - spare;
+    return std::clamp(bits, 0, std::max(12 - spare, 0));
+  }
+  /// Multiplies all values by 2^exponent.
+  void scale(int exponent) {
     this->forEachBrick([&](Brick& brick) {
       for (int32_t& value : brick.value) {
         if (value != kUnknown) value *= 1 << exponent;
       }
     });
-    return exponent;
+  }
+  /// Has copies of the bricks that are marked, by brick index.
+  [[nodiscard]] Scalars only(const std::vector<uint8_t>& marked) const {
+    Scalars some(this->tableSize());
+    for (std::size_t brickIndex = 0; brickIndex < marked.size(); ++brickIndex) {
+      if (marked[brickIndex] != 0 && this->has(brickIndex))
+        some.writable(brickIndex) = this->at(brickIndex);
+    }
+    return some;
   }
 
   /// Bytes in use while one more brick is made.

@@ -1,6 +1,7 @@
 // The encoder's plan of displacements: by how much blocks of vertices are to be displaced.
 #pragma once
 
+#include "encoder/core/brick_tasks.h"
 #include "encoder/core/field.h"
 #include "estimate/shape_estimate.h"
 #include "scalars/crossings.h"
@@ -13,9 +14,10 @@ namespace isostar {
 template <int D>
 class DisplacementPlan {
  public:
-  /// `active`: as of activeBricks(signs). Signs and bricks must outlive the plan.
+  /// `active`: as of activeBricks(signs). Signs, bricks and `runTasks` must outlive the plan.
   DisplacementPlan(const GridField<D>& field, const Signs<D>& signs,
-                   const std::vector<uint8_t>& active, SmoothingFilter filter);
+                   const std::vector<uint8_t>& active, SmoothingFilter filter,
+                   const RunTasks& runTasks);
 
   struct Next {
     Displacements<D> steps;  // in steps of the pass: for each cube the mean over the edges whose
@@ -35,31 +37,48 @@ class DisplacementPlan {
   /// A crossing axis edge, with all that a pass needs of it, so that it is found only once. In
   /// pairs, the even end comes first.
   struct Edge {
-    std::array<int32_t, 2> estimates;  // of a ShapeEstimate, at the ends
+    std::array<int16_t, 2> estimates;  // of a ShapeEstimate, at the ends
     std::array<uint16_t, 2> vertices;  // their numbers in the edge's brick; kBeyond: in the next
                                        // brick along the edge's axis
-    float crossing;  // from the even end, 0 … 1; -1 minus that if the even end is negative
-    uint32_t positiveBrick;
+    float crossing;         // from the even end, 0 … 1; -1 minus that if the even end is negative
+    uint32_t positiveSlot;  // of the brick of the positive end
     uint8_t positiveBlock, axis;
   };
   static constexpr uint16_t kBeyond = UINT16_MAX;
 
-  /// An edge without its estimates, which the caller adds.
-  [[nodiscard]] static Edge edgeOf(const GridField<D>& field, const Signs<D>& signs,
-                                   const EdgeEnds<D>& ends, const Coordinates<D>& brick, int axis);
+  /// The edges of a range of bricks, in order of brick indices.
+  struct Piece {
+    BrickRange range;
+    std::vector<std::size_t> first;  // by brick of the range: its first edge; then their number
+    std::vector<Edge> edges;
+  };
+  /// 1 for a block that has the positive end of an edge.
+  using Blocks = std::array<uint8_t, Displacements<D>::kBlocks>;
+  /// A ShapeEstimate at the ends of a brick's edges.
+  using Estimates = std::array<int16_t, power(kBrickSide, D)>;
+
+  /// Finds the estimates, by slot, and the blocks of the active bricks of a range.
+  void estimate(const BrickRange& range, SmoothingFilter filter, Estimates* estimates);
+  [[nodiscard]] Piece pieceOf(const BrickRange& range, const GridField<D>& field,
+                              const Estimates* estimates) const;
+  [[nodiscard]] Edge edgeOf(const GridField<D>& field, const EdgeEnds<D>& ends,
+                            const Coordinates<D>& brick, int axis,
+                            const Estimates* estimates) const;
   /// The displacement at an end, in the unit of a ShapeEstimate.
   [[nodiscard]] static int32_t displacementAt(const DisplacementWindow<D>& displaced,
                                               const Edge& edge, std::size_t end);
-  /// Calls visit(edge, error) for each edge. The error says by how many grid steps the surface lies
-  /// too near to the positive end.
-  template <class Visit>
-  void forEachError(const Displacements<D>& coded, Visit visit) const;
+  /// By how many grid steps the surface lies too near to the positive end of each edge of a piece.
+  [[nodiscard]] std::vector<double> errorsOf(const Piece& piece,
+                                             const Displacements<D>& coded) const;
+  /// The same for all pieces.
+  [[nodiscard]] std::vector<std::vector<double>> errorsBy(const Displacements<D>& coded) const;
 
   const Signs<D>& signs_;
   const std::vector<uint8_t>& active_;
-  std::vector<Edge> edges_;         // in order of brick indices
-  std::vector<std::size_t> first_;  // by brick index: its first edge; then the number of all edges
-  Displacements<D> blocks_;         // 1 where a block has the positive end of an edge
+  const RunTasks& runTasks_;
+  std::vector<uint32_t> slot_;  // by brick index: the number of an active brick among these
+  std::vector<Blocks> blocks_;  // by slot
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace isostar

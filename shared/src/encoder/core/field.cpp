@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "encoder/core/brick_tasks.h"
 #include "grid/tube.h"
 #include "util/simd.h"
 
@@ -66,7 +67,9 @@ int medianLog2(std::span<float> differences, double quantizationStep) {
 }  // namespace
 
 template <int D>
-bool sensible(std::span<const float> samples, const Coordinates<D>& size, double isovalue) {
+bool sensible(std::span<const float> samples, const Coordinates<D>& size, double isovalue,
+              const RunTasks& runTasks) {
+  constexpr std::size_t kPiece = std::size_t{1} << 18;
   uint64_t count = 1;
   for (int32_t n : size) {
     if (n < 1 || n >= (1 << 28)) return false;
@@ -74,49 +77,75 @@ bool sensible(std::span<const float> samples, const Coordinates<D>& size, double
     if (count > samples.size()) return false;
   }
   if (count != samples.size() || !std::isfinite(isovalue)) return false;
-  // Counting has no early exit, so that several samples are processed at once.
-  uint32_t invalid = 0;
-  for (const float s : samples) invalid += std::abs(s) <= std::numeric_limits<float>::max() ? 0 : 1;
-  return invalid == 0;
+  std::vector<uint32_t> invalid((samples.size() + kPiece - 1) / kPiece);
+  runAll(runTasks, invalid.size(), [&](std::size_t i) {
+    // Counting has no early exit, so that several samples are processed at once.
+    uint32_t found = 0;
+    for (const float s : samples.subspan(i * kPiece, std::min(kPiece, samples.size() - i * kPiece)))
+      found += std::abs(s) <= std::numeric_limits<float>::max() ? 0 : 1;
+    invalid[i] = found;
+  });
+  return std::ranges::all_of(invalid, [](uint32_t found) { return found == 0; });
 }
 
 template <int D>
-Signs<D> GridField<D>::signs() const {
+Signs<D> GridField<D>::signs(const RunTasks& runTasks) const {
+  constexpr std::size_t kPieces = 64;
   Signs<D> signs(Lattice<D>(last_, 1));
   // A box without extent on an axis has no cells and so no surface.
   if (std::ranges::any_of(last_, [](int32_t last) { return last == 0; })) return signs;
   const float threshold = floorOf(isovalue_);
-  const auto across = static_cast<std::size_t>(table_.count(0));
   // Adjacent on axis 0, so that samples are read in their order in memory.
-  std::vector<Brick<D>> bricks(across);
-  for (std::size_t brickIndex = 0; brickIndex < table_.total(); brickIndex += across) {
-    for (std::size_t r = 0; r < bricks[0].rows.size(); ++r) {
-      // Beyond the lattice its last plane is repeated, so that a uniform brick at the box's end is
-      // uniform.
-      Coordinates<D> v = vertex(table_.brick(brickIndex), r);
-      for (int a = 1; a < D; ++a) v[a] = std::min(v[a], last_[a]);
-      const float* row = &samples_[at(v)];
-      for (std::size_t b = 0; b + 1 < across; ++b)
-        bricks[b].rows[r] = static_cast<uint8_t>(above(row + b * kBrickSide, threshold));
-      const std::size_t first = (across - 1) * kBrickSide,
-                        count = static_cast<std::size_t>(last_[0]) + 1 - first;
-      std::array<float, kBrickSide> end;
-      end.fill(row[last_[0]]);
-      std::copy_n(row + first, count, end.begin());
-      bricks[across - 1].rows[r] = static_cast<uint8_t>(above(end.data(), threshold));
-    }
-    for (std::size_t b = 0; b < across; ++b) signs.put(brickIndex + b, bricks[b]);
-  }
+  const auto across = static_cast<std::size_t>(table_.count(0));
+  const std::size_t rows = table_.total() / across;
+  std::vector<Brick<D>> bricks(table_.total());
+  runAll(runTasks, kPieces, [&](std::size_t i) {
+    for (std::size_t row = rows * i / kPieces; row < rows * (i + 1) / kPieces; ++row)
+      rowSigns(row * across, threshold, std::span(bricks).subspan(row * across, across));
+  });
+  for (std::size_t brickIndex = 0; brickIndex < bricks.size(); ++brickIndex)
+    signs.put(brickIndex, bricks[brickIndex]);
   return signs;
 }
 
 template <int D>
+void GridField<D>::rowSigns(std::size_t first, float threshold, std::span<Brick<D>> bricks) const {
+  const std::size_t last = bricks.size() - 1;
+  for (std::size_t r = 0; r < bricks[0].rows.size(); ++r) {
+    // Beyond the lattice its last plane is repeated, so that a uniform brick at the box's end is
+    // uniform.
+    Coordinates<D> v = vertex(table_.brick(first), r);
+    for (int a = 1; a < D; ++a) v[a] = std::min(v[a], last_[a]);
+    const float* row = &samples_[at(v)];
+    for (std::size_t b = 0; b < last; ++b)
+      bricks[b].rows[r] = static_cast<uint8_t>(above(row + b * kBrickSide, threshold));
+    std::array<float, kBrickSide> end;
+    end.fill(row[last_[0]]);
+    std::copy(row + last * kBrickSide, row + last_[0] + 1, end.begin());
+    bricks[last].rows[r] = static_cast<uint8_t>(above(end.data(), threshold));
+  }
+}
+
+template <int D>
 Precision GridField<D>::precision(Polygonizer polygonizer, const Signs<D>& signs,
-                                  const std::vector<uint8_t>& active) const {
+                                  const std::vector<uint8_t>& active,
+                                  const RunTasks& runTasks) const {
+  Precision all;
+  for (const Precision& piece : ofBrickPieces(active, runTasks, [&](const BrickRange& range) {
+         return precisionOf(range, polygonizer, signs, active);
+       }))
+    all.add(piece);
+  return all;
+}
+
+template <int D>
+Precision GridField<D>::precisionOf(const BrickRange& range, Polygonizer polygonizer,
+                                    const Signs<D>& signs,
+                                    const std::vector<uint8_t>& active) const {
   double largest = 0;
   WholeSamples ones(1, isovalue_, 1 << 29), bytes(255, isovalue_, 1);
   Tube<D> tube;
-  for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
+  for (std::size_t brickIndex = range.first; brickIndex < range.end; ++brickIndex) {
     if (active[brickIndex] == 0) continue;
     for (const Members members : {Members::AxisEnds, Members::DiagonalEnds}) {
       if (members == Members::DiagonalEnds && polygonizer == Polygonizer::Cubes) break;
@@ -179,9 +208,9 @@ int GridField<D>::gradient(const Header& header, const Signs<D>& signs,
   return medianLog2(std::span(differences).first(count), header.quantizationStep);
 }
 
-template bool sensible<2>(std::span<const float>, const Coordinates<2>&, double);
-template bool sensible<3>(std::span<const float>, const Coordinates<3>&, double);
-template bool sensible<4>(std::span<const float>, const Coordinates<4>&, double);
+template bool sensible<2>(std::span<const float>, const Coordinates<2>&, double, const RunTasks&);
+template bool sensible<3>(std::span<const float>, const Coordinates<3>&, double, const RunTasks&);
+template bool sensible<4>(std::span<const float>, const Coordinates<4>&, double, const RunTasks&);
 template class GridField<2>;
 template class GridField<3>;
 template class GridField<4>;

@@ -2,12 +2,14 @@
 // has them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "container/header.h"
+#include "grid/brick_pieces.h"
 #include "grid/chunk.h"
 #include "grid/signs.h"
 #include "isostar/isostar.h"
@@ -18,7 +20,7 @@ namespace isostar {
 /// Are there as many samples as the size says, all of them finite?
 template <int D>
 [[nodiscard]] bool sensible(std::span<const float> samples, const Coordinates<D>& size,
-                            double isovalue);
+                            double isovalue, const RunTasks& runTasks = {});
 
 /// What the samples require of a quantization step.
 struct Precision {
@@ -27,8 +29,13 @@ struct Precision {
                                    // right side of the isovalue?
 
   /// Adds the requirements of another isovalue, which lies `apart` from this one.
-  void add(const Precision& other, double apart) {
-    largest = std::max(largest, other.largest > 0 ? other.largest + std::abs(apart) : 0);
+  void add(Precision other, double apart) {
+    if (other.largest > 0) other.largest += std::abs(apart);
+    add(other);
+  }
+  /// Adds those of other samples at the same isovalue.
+  void add(const Precision& other) {
+    largest = std::max(largest, other.largest);
     ones = ones && other.ones;
     bytes = bytes && other.bytes;
   }
@@ -91,12 +98,13 @@ class GridField {
   }
 
   /// The signs of the finest level, of all samples. coarsened() gives those of other levels.
-  [[nodiscard]] Signs<D> signs() const;
+  [[nodiscard]] Signs<D> signs(const RunTasks& runTasks = {}) const;
 
   /// What the ends of the RBMT's crossing edges require of a quantization step. `active`: as of
   /// activeBricks(signs).
   [[nodiscard]] Precision precision(Polygonizer polygonizer, const Signs<D>& signs,
-                                    const std::vector<uint8_t>& active) const;
+                                    const std::vector<uint8_t>& active,
+                                    const RunTasks& runTasks = {}) const;
 
   /// The scalar of vertex x in row r of a brick of the finest level.
   [[nodiscard]] double scalar(std::size_t brickIndex, std::size_t r, int x) const {
@@ -143,6 +151,12 @@ class GridField {
     for (int a = 1; a < D; ++a) sum += static_cast<std::size_t>(v[a]) * stride_[a];
     return sum;
   }
+  /// The signs of bricks `first` … `first` + bricks.size() - 1, which are all of a row of bricks
+  /// along axis 0.
+  void rowSigns(std::size_t first, float threshold, std::span<Brick<D>> bricks) const;
+  [[nodiscard]] Precision precisionOf(const BrickRange& range, Polygonizer polygonizer,
+                                      const Signs<D>& signs,
+                                      const std::vector<uint8_t>& active) const;
   void enter(std::size_t brickIndex) const {
     if (brickIndex == lastBrick_) return;
     lastBrick_ = brickIndex;

@@ -24,7 +24,8 @@ Error withSource(std::span<const float> samples, std::span<const float> domain, 
   if (!invertible(header.placement) || !sensible<D>(samples, size, isovalue))
     return Error::BadArgument;
   if (!domain.empty() && !sensible<D>(domain, size, 0)) return Error::BadArgument;
-  const Source<D> source(samples, size, isovalue);
+  const RunTasks inOrder;
+  const Source<D> source(samples, size, isovalue, inOrder);
   const auto& field = source.field();
   const auto& signs = source.signs();
   const auto& active = source.active();

@@ -1,8 +1,10 @@
 // The quantization step of a stream: what the crossings of its isovalues require.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 
+#include "encoder/core/coded_crossing.h"
 #include "encoder/core/source.h"
 
 namespace isostar {
@@ -27,16 +29,21 @@ template <int D>
 [[nodiscard]] double quantizationError(const Header& header, const Source<D>& source) {
   if (header.whole) return 0;
   const int32_t shift = header.shift(source.isovalue());
-  double most = 0;
-  forEachCrossingEdge(
-      header, source.signs(), source.active(), [](std::size_t) {},
-      [&](const EdgeEnds<D>& ends, double length) {
-        const double even = source.field().scalar(ends.even), odd = source.field().scalar(ends.odd);
-        const CodedCrossing crossing{codedSize(header, even, shift), codedSize(header, odd, shift),
-                                     std::abs(even), std::abs(odd), length};
-        most = std::max(most, crossing.distance());
-      });
-  return most;
+  return std::ranges::max(
+      ofBrickPieces(source.active(), source.runTasks(), [&](const BrickRange& range) {
+        double most = 0;
+        forEachCrossingEdge(
+            header, source.signs(), source.active(), range, [](std::size_t) {},
+            [&](const EdgeEnds<D>& ends, double length) {
+              const double even = source.field().scalar(ends.even),
+                           odd = source.field().scalar(ends.odd);
+              const CodedCrossing crossing{codedSize(header, even, shift),
+                                           codedSize(header, odd, shift), std::abs(even),
+                                           std::abs(odd), length};
+              crossing.raise(most);
+            });
+        return most;
+      }));
 }
 
 /// Makes the step finer where the largest sample would set one that is too coarse for other

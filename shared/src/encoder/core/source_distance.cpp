@@ -83,19 +83,12 @@ typename SourceDistance<D>::Point SourceDistance<D>::normal(const EdgeEnds<D>& e
   return n;
 }
 
-/// The size of a scalar in half quantization steps. `unit`: that of the value.
-template <int D>
-double SourceDistance<D>::size(int32_t value, double unit) const {
-  return value >= 0 ? value * unit + 2 * header_.positiveOffset - 1
-                    : 2 * header_.negativeOffset - 1 - value * unit;
-}
-
 /// Where the surface coded so far crosses an edge, from its even end (0) to its odd end (1).
 template <int D>
 double SourceDistance<D>::decoded(const ScalarWindow<D>& scalars, const Sample& sample,
                                   double unit) const {
-  const double even = size(scalars.value[static_cast<std::size_t>(sample.evenAt)], unit),
-               odd = size(scalars.value[static_cast<std::size_t>(sample.oddAt)], unit);
+  const double even = sizeOf(scalars.value[static_cast<std::size_t>(sample.evenAt)], header_, unit),
+               odd = sizeOf(scalars.value[static_cast<std::size_t>(sample.oddAt)], header_, unit);
   return even + odd > 0 ? even / (even + odd) : 0.5;
 }
 
@@ -141,50 +134,6 @@ double SourceDistance<D>::rms(const Signs<D>& finest, const Scalars<D>& scalars,
     sum += distance * distance;
   }
   return samples_.empty() ? 0 : std::sqrt(sum / static_cast<double>(samples_.size()));
-}
-
-template <int D>
-template <class Visit>
-void SourceDistance<D>::forEachCrossing(const Signs<D>& signs, const Scalars<D>& scalars,
-                                        const std::vector<uint8_t>& active, Visit visit) const {
-  ScalarWindow<D> window;
-  forEachCrossingEdge(
-      header_, signs, active,
-      [&](std::size_t brickIndex) {
-        window.load(scalars, signs.table(), signs.table().brick(brickIndex));
-      },
-      [&](const EdgeEnds<D>& ends, double length) {
-        visit(ends, CodedCrossing{size(window.value[static_cast<std::size_t>(ends.evenAt)]),
-                                  size(window.value[static_cast<std::size_t>(ends.oddAt)]),
-                                  std::abs(field_.scalar(ends.even)),
-                                  std::abs(field_.scalar(ends.odd)), length});
-      });
-}
-
-template <int D>
-std::vector<uint8_t> SourceDistance<D>::beyond(double bound, const Signs<D>& signs,
-                                               const Scalars<D>& scalars,
-                                               const std::vector<uint8_t>& active) const {
-  std::vector<uint8_t> marked(active.size(), 0);
-  bool any = false;
-  forEachCrossing(signs, scalars, active,
-                  [&](const EdgeEnds<D>& ends, const CodedCrossing& crossing) {
-                    if (crossing.isWithin(bound)) return;
-                    for (const auto& end : {ends.even, ends.odd})
-                      marked[signs.table().brickIndexOf(end)] = 1;
-                    any = true;
-                  });
-  return any ? marked : std::vector<uint8_t>();
-}
-
-template <int D>
-double SourceDistance<D>::largest(const Signs<D>& signs, const Scalars<D>& scalars,
-                                  const std::vector<uint8_t>& active) const {
-  double most = 0;
-  forEachCrossing(signs, scalars, active, [&](const EdgeEnds<D>&, const CodedCrossing& crossing) {
-    most = std::max(most, crossing.distance());
-  });
-  return most;
 }
 
 template class SourceDistance<2>;

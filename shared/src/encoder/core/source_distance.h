@@ -1,8 +1,6 @@
-// The distance between the surface coded so far and the source's: layers' heads state it, and the
-// bound is checked with it.
+// The distance between the surface coded so far and the source's, which layers' heads state.
 #pragma once
 
-#include "encoder/core/coded_crossing.h"
 #include "encoder/core/field.h"
 #include "estimate/hints.h"
 #include "scalars/crossings.h"
@@ -29,17 +27,6 @@ class SourceDistance {
   /// Marks, by brick index, the bricks that rms() reads.
   [[nodiscard]] const std::vector<uint8_t>& bricks() const { return bricks_; }
 
-  /// Marks, by brick index, the bricks with an end of an edge on which a vertex of the finest
-  /// surface is off by more than the bound. Empty if there are none. All scalars must be known.
-  [[nodiscard]] std::vector<uint8_t> beyond(double bound, const Signs<D>& signs,
-                                            const Scalars<D>& scalars,
-                                            const std::vector<uint8_t>& active) const;
-  /// The largest distance of a vertex of the finest surface from the source's on the same edge.
-  /// Both surfaces have the same polygons over these vertices, so that no point of either is
-  /// farther from the other.
-  [[nodiscard]] double largest(const Signs<D>& signs, const Scalars<D>& scalars,
-                               const std::vector<uint8_t>& active) const;
-
  private:
   using Point = std::array<double, D>;
 
@@ -52,11 +39,6 @@ class SourceDistance {
     Point position, normal;
   };
 
-  /// Calls visit(ends, coded crossing) for each crossing edge of the active bricks.
-  template <class Visit>
-  void forEachCrossing(const Signs<D>& signs, const Scalars<D>& scalars,
-                       const std::vector<uint8_t>& active, Visit visit) const;
-  [[nodiscard]] double size(int32_t value, double unit = 1) const;
   [[nodiscard]] double decoded(const ScalarWindow<D>& scalars, const Sample& sample,
                                double unit) const;
   [[nodiscard]] Point normal(const EdgeEnds<D>& ends) const;
@@ -68,11 +50,18 @@ class SourceDistance {
   std::vector<uint8_t> bricks_;  // by brick index: whether it has an end of a sample's edge
 };
 
-/// Calls enter(brickIndex) for each active brick, then visit(ends, length) for each of its crossing
-/// edges on which a stream's polygonizer has vertices; `length` in grid steps.
+/// Calls enter(brickIndex) for each marked brick of a range, then visit(ends, length) for each of
+/// its crossing edges on which a stream's polygonizer has vertices; `length` in grid steps.
 template <int D, class Enter, class Visit>
 void forEachCrossingEdge(const Header& header, const Signs<D>& signs,
-                         const std::vector<uint8_t>& active, Enter enter, Visit visit);
+                         const std::vector<uint8_t>& marked, const BrickRange& range, Enter enter,
+                         Visit visit);
+
+/// The size of a coded scalar in half quantization steps. `unit`: that of the value.
+[[nodiscard]] inline double sizeOf(int32_t value, const Header& header, double unit = 1) {
+  return value >= 0 ? value * unit + 2 * header.positiveOffset - 1
+                    : 2 * header.negativeOffset - 1 - value * unit;
+}
 
 /// The length of an edge along a set of axes, in grid steps along the smallest spacing. On the
 /// fourth axis, time, a frame counts as one step.
@@ -80,12 +69,13 @@ void forEachCrossingEdge(const Header& header, const Signs<D>& signs,
 
 template <int D, class Enter, class Visit>
 void forEachCrossingEdge(const Header& header, const Signs<D>& signs,
-                         const std::vector<uint8_t>& active, Enter enter, Visit visit) {
+                         const std::vector<uint8_t>& marked, const BrickRange& range, Enter enter,
+                         Visit visit) {
   std::array<double, 1u << D> lengths{};
   for (unsigned axes = 1; axes < lengths.size(); ++axes)
     lengths[axes] = edgeLength(header.placement, axes);
   forCrossedRows(
-      signs, active, header.polygonizer == Polygonizer::Tetrahedra, enter,
+      signs, marked, range, header.polygonizer == Polygonizer::Tetrahedra, enter,
       [&](const Coordinates<D>& brick, unsigned r, unsigned axes, uint32_t crossed) {
         for (; crossed != 0; crossed &= crossed - 1)
           visit(EdgeEnds<D>(brick, r, static_cast<unsigned>(std::countr_zero(crossed)), axes),
