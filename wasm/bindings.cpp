@@ -1,5 +1,5 @@
 // The raw WebAssembly module: the public C++ API, under the same names. web/src/codec/raw.ts
-// declares it for TypeScript; web/src/codec/session.ts is its only caller in the package.
+// declares it for TypeScript; stream-decoder.ts beside it is its only caller in the package.
 #include <emscripten/bind.h>
 
 #include <isostar/isostar.h>

@@ -149,7 +149,8 @@ test('an option that is undefined has its default', async () => {
   });
   assert.deepEqual(surface.positions, expected);
   assert.equal(surface.normals.length, expected.length);
-  const other = await createDecoder({ wasm: undefined, worker: undefined, limits: undefined });
+  const none = { wasm: undefined, worker: undefined, workers: undefined, limits: undefined };
+  const other = await createDecoder(none);
   const limits = {
     memory: undefined,
     samples: undefined,
@@ -173,7 +174,8 @@ test('values that are not among an option’s', async () => {
     { limits: { vertices: '9' } },
   ])
     await assert.rejects(last(ball, options), isError('BadArgument'), JSON.stringify(options));
-  await assert.rejects(createDecoder({ limits: { memory: '1 GB' } }), isError('BadArgument'));
+  for (const options of [{ limits: { memory: '1 GB' } }, { workers: 0 }, { workers: 1.5 }])
+    await assert.rejects(createDecoder(options), isError('BadArgument'), JSON.stringify(options));
 });
 
 test('bytes that are not the decoder’s WebAssembly', async (t) => {

@@ -14,6 +14,13 @@ export interface DecoderOptions {
   wasm?: WasmSource | undefined;
   /** Decode in a worker; by default true on pages and false elsewhere. */
   worker?: boolean | undefined;
+  /**
+   * How many workers may decode a stream together. Only streams in chunks, which large surfaces
+   * are, take more than one; the others start with the first of these. Each worker has the limits
+   * for itself. By default as many as the machine has processors, at most 4. No effect without
+   * `worker`.
+   */
+  workers?: number | undefined;
   /** What decoding each stream may cost. */
   limits?: Limits | undefined;
 }
@@ -27,11 +34,14 @@ const isPage = typeof document !== 'undefined' && typeof Worker !== 'undefined';
 export async function createDecoder({
   wasm,
   worker = isPage,
+  workers = Math.min(globalThis.navigator?.hardwareConcurrency ?? 1, 4),
   limits,
 }: DecoderOptions = {}): Promise<Decoder> {
   checkLimits(limits);
+  if (!Number.isInteger(workers) || workers < 1)
+    throw new IsostarError('BadArgument', 'workers must be a whole number from 1 on');
   if (!worker) return (await import('./codec/local-decoder.js')).LocalDecoder.create(wasm, limits);
   if (!isPage)
     throw new IsostarError('BadArgument', 'a worker is possible only on pages; pass worker: false');
-  return (await import('./remote/remote-decoder.js')).RemoteDecoder.create(wasm, limits);
+  return (await import('./remote/remote-decoder.js')).RemoteDecoder.create(wasm, limits, workers);
 }

@@ -1,8 +1,12 @@
 import { IsostarError } from './api/errors.js';
-import type { Surface } from './api/surface.js';
 import { InboxDecoder } from './codec/inbox-decoder.js';
+import { Instances } from './codec/instances.js';
+import { loadModule } from './codec/load-module.js';
 import { Inbox } from './input/inbox.js';
-import type { Reply, Report, Request } from './remote/protocol.js';
+import { HeldShare } from './remote/held-share.js';
+import { Helpers } from './remote/helpers.js';
+import type { OpenOptions, Reply, Report, Request } from './remote/protocol.js';
+import type { WholeSurface } from './codec/surface-chunks.js';
 
 interface Port {
   postMessage(message: Reply | Report, transfer?: Transferable[]): void;
@@ -11,56 +15,93 @@ interface Port {
 
 interface Decode {
   readonly inbox: Inbox;
-  readonly surfaces: AsyncGenerator<Surface, void>;
+  readonly surfaces: AsyncGenerator<WholeSurface, void>;
 }
 
-/** The decoder behind a port. It decodes when `next` is requested; until then it collects bytes. */
+/**
+ * The decoder behind a port, of a page or of a worker that this one helps. It decodes when `next`
+ * or `advance` is requested; until then it collects bytes.
+ */
 class Service {
   readonly #port: Port;
+  #instances: Instances | undefined;
   #decoder: InboxDecoder | undefined;
   readonly #decodes = new Map<number, Decode>();
+  readonly #shares = new Map<number, HeldShare>();
 
   constructor(port: Port) {
     this.#port = port;
     port.onmessage = ({ data }) => void this.#handle(data);
   }
 
-  async #handle(request: Request): Promise<void> {
-    if (request.type === 'open') return this.#reply(0, () => this.#open(request.wasm));
-    if (request.type === 'decode') {
-      const { id } = request;
-      const inbox = new Inbox({
-        taken: (weight) => this.#port.postMessage({ type: 'taken', id, weight }),
-        wanted: (ranges) => this.#port.postMessage({ type: 'wanted', id, ranges }),
-        enough: () => this.#port.postMessage({ type: 'enough', id }),
-      });
-      const surfaces = this.#decoder!.decode(inbox, request.options);
-      this.#decodes.set(id, { inbox, surfaces });
-      return;
-    }
-    const decode = this.#decodes.get(request.id);
-    if (!decode) return;
-    const { inbox, surfaces } = decode;
-    if (request.type === 'accept') inbox.accept(request.piece);
-    if (request.type === 'finish') inbox.finish();
-    if (request.type === 'beginIsovalues') inbox.beginIsovalues();
-    if (request.type === 'setIsovalue') inbox.setIsovalue(request.isovalue);
-    if (request.type === 'endIsovalues') inbox.endIsovalues();
-    if (request.type === 'next')
-      return this.#reply(request.id, () => this.#next(request.id, surfaces));
-    if (request.type === 'stop') {
-      this.#decodes.delete(request.id);
+  #handle(request: Request): void | Promise<void> {
+    const { type, id } = request;
+    if (type === 'open') return this.#reply(0, () => this.#open(request));
+    if (type === 'decode') return void this.#decodes.set(id, this.#begin(request));
+    if (type === 'share')
+      return void this.#shares.set(
+        id,
+        new HeldShare(this.#instances!, request.options, request.share),
+      );
+    const decode = this.#decodes.get(id);
+    if (decode) return this.#pass(request, decode);
+    const share = this.#shares.get(id);
+    if (share) return this.#passToShare(request, share);
+  }
+
+  async #open({ wasm, helpers = 0 }: OpenOptions): Promise<Reply> {
+    const loaded = await loadModule(wasm);
+    this.#instances = await Instances.of(loaded);
+    const workers = new Helpers(loaded.compiled, helpers);
+    this.#decoder = new InboxDecoder(this.#instances, (...share) => workers.begin(...share));
+    return { type: 'opened', id: 0 };
+  }
+
+  #begin({ id, options }: Extract<Request, { type: 'decode' }>): Decode {
+    const inbox = new Inbox({
+      taken: (weight) => this.#port.postMessage({ type: 'taken', id, weight }),
+      wanted: (ranges) => this.#port.postMessage({ type: 'wanted', id, ranges }),
+      enough: () => this.#port.postMessage({ type: 'enough', id }),
+    });
+    return { inbox, surfaces: this.#decoder!.decode(inbox, options) };
+  }
+
+  async #pass(request: Request, { inbox, surfaces }: Decode): Promise<void> {
+    const { type, id } = request;
+    if (type === 'accept') inbox.accept(request.piece);
+    if (type === 'finish') inbox.finish();
+    if (type === 'beginIsovalues') inbox.beginIsovalues();
+    if (type === 'setIsovalue') inbox.setIsovalue(request.isovalue);
+    if (type === 'endIsovalues') inbox.endIsovalues();
+    if (type === 'next') return this.#reply(id, () => this.#next(id, surfaces));
+    if (type === 'stop') {
+      this.#decodes.delete(id);
       inbox.fail(new DOMException('stopped', 'AbortError'));
       await surfaces.return().catch(() => {});
     }
   }
 
-  async #open(wasm: Extract<Request, { type: 'open' }>['wasm']): Promise<Reply> {
-    this.#decoder = await InboxDecoder.create(wasm);
-    return { type: 'opened', id: 0 };
+  async #passToShare(request: Request, share: HeldShare): Promise<void> {
+    const { type, id } = request;
+    if (type === 'accept') share.accept(request.piece);
+    if (type === 'finish') share.finish();
+    if (type === 'advance')
+      return this.#reply(id, async () => {
+        return { type: 'results', id, results: await share.advance(request.results) };
+      });
+    if (type === 'results')
+      return this.#reply(id, async () => ({ type, id, results: await share.results() }));
+    if (type === 'mesh')
+      return this.#reply(id, async () => {
+        return { type: 'part', id, part: await share.mesh(request.results, request.isovalue) };
+      });
+    if (type === 'stop') {
+      this.#shares.delete(id);
+      share.delete();
+    }
   }
 
-  async #next(id: number, surfaces: AsyncGenerator<Surface, void>): Promise<Reply> {
+  async #next(id: number, surfaces: AsyncGenerator<WholeSurface, void>): Promise<Reply> {
     const { value } = await surfaces.next();
     return value ? { type: 'surface', id, surface: value } : { type: 'done', id };
   }
@@ -68,7 +109,7 @@ class Service {
   async #reply(id: number, work: () => Promise<Reply>): Promise<void> {
     try {
       const reply = await work();
-      this.#port.postMessage(reply, reply.type === 'surface' ? buffersOf(reply.surface) : []);
+      this.#port.postMessage(reply, buffersOf(reply));
     } catch (reason) {
       const code = reason instanceof IsostarError ? reason.code : undefined;
       const message = String((reason as Error)?.message ?? reason);
@@ -77,11 +118,12 @@ class Service {
   }
 }
 
-const buffersOf = ({ positions, normals, indices }: Surface) => [
-  positions.buffer,
-  normals.buffer,
-  indices.buffer,
-];
+/** What a reply gives away. */
+function buffersOf(reply: Reply): ArrayBuffer[] {
+  if (reply.type === 'results') return reply.results ? [reply.results.buffer] : [];
+  const mesh = reply.type === 'surface' ? reply.surface : reply.type === 'part' && reply.part;
+  return mesh ? [mesh.positions.buffer, mesh.normals.buffer, mesh.indices.buffer] : [];
+}
 
 // Outside a worker an import must have no effect.
 if ('WorkerGlobalScope' in globalThis) new Service(globalThis as unknown as Port);

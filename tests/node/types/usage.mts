@@ -15,6 +15,7 @@ import type { BufferGeometry } from 'three';
 
 const decoder: Decoder = await createDecoder({
   worker: false,
+  workers: 2,
   wasm: new URL('https://example.org/decoder.wasm'),
   limits: { memory: 1e9, samples: Infinity, decisions: 1e9 },
 });
@@ -60,7 +61,7 @@ decoder.decode(new Uint8Array(), {
   limits: undefined,
   signal: undefined,
 });
-await createDecoder({ wasm: undefined, worker: undefined, limits: undefined });
+await createDecoder({ wasm: undefined, worker: undefined, workers: undefined, limits: undefined });
 decoder.dispose();
 
 const loader = new IsostarLoader()

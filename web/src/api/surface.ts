@@ -90,6 +90,21 @@ export interface Surface {
   readonly info: StreamInfo;
   /** `decode`: of all layers so far; `polygonize`: of this surface. */
   readonly milliseconds: { readonly decode: number; readonly polygonize: number };
+  /**
+   * The same surface in pieces, by chunk of a stream in chunks, else one: for renderers that draw
+   * only what is in view. Made when it is asked for; not copied when the surface is posted.
+   */
+  readonly chunks: readonly SurfaceChunk[];
+}
+
+/** A part of a surface, with vertices of its own. Arrays as of `Surface`. */
+export interface SurfaceChunk {
+  readonly positions: Float32Array<ArrayBuffer>;
+  readonly normals: Float32Array<ArrayBuffer>;
+  readonly indices: Uint32Array<ArrayBuffer>;
+  /** The smallest and the largest coordinates of its vertices. */
+  readonly min: readonly [number, number, number];
+  readonly max: readonly [number, number, number];
 }
 
 /**

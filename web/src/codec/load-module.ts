@@ -8,13 +8,17 @@ import type { RawModule } from './raw.js';
  */
 export type WasmSource = URL | string | BufferSource;
 
-/**
- * Compiles the WebAssembly. The result makes a new instance on every call, without reading the
- * address or the bytes again.
- */
+/** The decoder's WebAssembly, compiled. */
+export interface LoadedModule {
+  readonly compiled: WebAssembly.Module;
+  instantiate(): Promise<RawModule>;
+}
+
+/** Compiles the WebAssembly, unless another thread has done so. */
 export async function loadModule(
-  wasm: WasmSource = new URL('./decoder.wasm', import.meta.url), // relative to the bundle in dist/
-): Promise<() => Promise<RawModule>> {
+  wasm: WasmSource | WebAssembly.Module = new URL('./decoder.wasm', import.meta.url), // in dist/
+): Promise<LoadedModule> {
+  if (wasm instanceof WebAssembly.Module) return loaded(wasm, 'the module of another worker');
   const isAddress = wasm instanceof URL || typeof wasm === 'string';
   const name = isAddress ? String(wasm) : 'the bytes given as `wasm`';
   const bytes = isAddress ? await readAddress(wasm) : wasm;
@@ -22,14 +26,21 @@ export async function loadModule(
   const compiled = await WebAssembly.compile(bytes).catch((reason) => {
     throw notUsable(name, `cannot be compiled (${messageOf(reason)})`);
   });
-  return async () => {
-    try {
-      return await instantiate(compiled);
-    } catch (reason) {
-      if (reason instanceof RangeError)
-        throw new IsostarError('OverLimit', `no memory for the decoder (${messageOf(reason)})`);
-      throw notUsable(name, `not the WebAssembly of this isostar (${messageOf(reason)})`);
-    }
+  return loaded(compiled, name);
+}
+
+function loaded(compiled: WebAssembly.Module, name: string): LoadedModule {
+  return {
+    compiled,
+    async instantiate() {
+      try {
+        return await instantiate(compiled);
+      } catch (reason) {
+        if (reason instanceof RangeError)
+          throw new IsostarError('OverLimit', `no memory for the decoder (${messageOf(reason)})`);
+        throw notUsable(name, `not the WebAssembly of this isostar (${messageOf(reason)})`);
+      }
+    },
   };
 }
 

@@ -4,8 +4,10 @@ import { Inbox, sendIsovalues } from '../input/inbox.js';
 import { hold, type HeldSource } from '../input/source.js';
 import { Cleanup, cleanUpAfter } from './cleanup.js';
 import { InboxDecoder } from './inbox-decoder.js';
-import type { WasmSource } from './load-module.js';
+import { Instances } from './instances.js';
+import { loadModule, type WasmSource } from './load-module.js';
 import { sortOptions } from './options.js';
+import { withChunks } from './surface-chunks.js';
 
 /** Decodes in the current thread: Node's, a worker's, or a page's that wants no worker. */
 export class LocalDecoder implements Decoder {
@@ -18,7 +20,8 @@ export class LocalDecoder implements Decoder {
   }
 
   static async create(wasm?: WasmSource, limits?: Limits): Promise<LocalDecoder> {
-    return new LocalDecoder(await InboxDecoder.create(wasm), limits);
+    const instances = await Instances.of(await loadModule(wasm));
+    return new LocalDecoder(new InboxDecoder(instances), limits);
   }
 
   decode(source: Source, options: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {
@@ -50,7 +53,8 @@ export class LocalDecoder implements Decoder {
       const abort = () => inbox.fail(signal?.reason);
       signal?.addEventListener('abort', abort);
       cleanup.add(() => signal?.removeEventListener('abort', abort));
-      yield* this.#decoder.decode(inbox, surface, cleanup);
+      for await (const one of this.#decoder.decode(inbox, surface, cleanup))
+        yield withChunks(one, surface.frame);
     } finally {
       cleanup.run();
     }

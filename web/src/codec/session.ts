@@ -1,96 +1,62 @@
-import { IsostarError, type IsostarErrorCode } from '../api/errors.js';
-import type {
-  Frame,
-  Layer,
-  Polygonizer,
-  StreamInfo,
-  Surface,
-  SurfaceOptions,
-} from '../api/surface.js';
-import type { ByteRange } from '../input/byte-ranges.js';
+import { IsostarError } from '../api/errors.js';
+import type { Layer, StreamInfo, SurfaceOptions } from '../api/surface.js';
 import type { Inbox, Input } from '../input/inbox.js';
+import type { Piece } from '../input/pieces.js';
+import type { Lease } from './instances.js';
+import type { Mesh } from './mesh-part.js';
 import { pause } from './pause.js';
-import type { RawDecoder, RawModule } from './raw.js';
+import { type ShareNumber, StreamDecoder } from './stream-decoder.js';
+import { type BeginShares, Team, TeamFailure } from './team.js';
+import type { WholeSurface } from './surface-chunks.js';
 
-const POLYGONIZERS = ['cubes', 'tetrahedra'];
-const FRAMES = ['world', 'grid'];
 const REFINEMENTS = ['newest', 'all', 'last'];
 
-/** How many bytes are copied into the module at once. */
-const CHUNK = 1 << 20;
-
-/** What a stream of another dimension than 3 holds. */
-const CONTENTS: Record<number, string> = {
-  2: 'the contours of an image',
-  4: 'a sequence of volumes',
-};
-
-/** One stream in the raw decoder: turns input into surfaces. */
+/** One stream: turns input into surfaces. */
 export class Session {
-  readonly #module: RawModule;
-  readonly #raw: RawDecoder;
-  readonly #onLost: () => void;
-  readonly #polygonizer: Polygonizer;
-  readonly #frame: Frame;
-  readonly #normals: boolean;
-  readonly #refinements: 'newest' | 'all' | 'last';
-  #isovalue: number | undefined;
-  #isLost = false;
+  readonly #lease: Lease;
+  readonly #options: SurfaceOptions;
+  #beginShares: BeginShares | undefined; // until it is known whether the stream is divided
+  #own: StreamDecoder;
+  #team: Team | undefined; // which #own belongs to
+  readonly #accepted: Piece[] = []; // as long as they may be needed again
+  #isFinished = false;
   #hasHeader = false;
+  #shown = 0; // the position of the last surface
+  #isovalue: number | undefined;
   #decodeTime = 0;
 
-  /** `onLost` is called if the module fails and cannot be called again. */
-  constructor(
-    module: RawModule,
-    {
-      polygonizer = 'cubes',
-      frame = 'world',
-      normals = true,
-      refinements = 'newest',
-      region,
-      isovalue,
-      limits = {},
-    }: SurfaceOptions,
-    onLost: () => void,
-  ) {
-    check('polygonizer', polygonizer, POLYGONIZERS);
-    check('frame', frame, FRAMES);
-    check('refinements', refinements, REFINEMENTS);
-    this.#module = module;
-    this.#onLost = onLost;
-    this.#polygonizer = polygonizer;
-    this.#frame = frame;
-    this.#normals = normals;
-    this.#refinements = refinements;
-    this.#isovalue = isovalue;
-    const { memory = NaN, samples = NaN, vertices = NaN, decisions = NaN } = limits;
-    this.#raw = this.#run(() => new module.Decoder(memory, samples, vertices, decisions));
-    if (region) this.#raw.setRegion(...region.min, ...region.max, module.Frame[frame]);
+  constructor(lease: Lease, options: SurfaceOptions, beginShares?: BeginShares) {
+    const { refinements = 'newest' } = options;
+    if (!REFINEMENTS.includes(refinements))
+      throw new IsostarError('BadArgument', `unknown refinements "${refinements}"`);
+    this.#lease = lease;
+    this.#options = options;
+    this.#beginShares = beginShares;
+    this.#isovalue = options.isovalue;
+    this.#own = this.#decoderOf();
   }
 
-  async *surfaces(inbox: Inbox): AsyncGenerator<Surface, void, undefined> {
-    const refinements = this.#refinements;
+  async *surfaces(inbox: Inbox): AsyncGenerator<WholeSurface, void, undefined> {
+    const { refinements = 'newest' } = this.#options;
     let isFirst = true;
     let isStale = false; // is a better surface possible than the last one?
     for (let input = await inbox.take(); input; input = await inbox.take()) {
       const isOtherIsovalue = this.#setIsovalue(input.isovalue);
-      this.#run(() => this.#accept(input));
-      while (this.#advance(inbox)) {
+      this.#accept(input);
+      while (await this.#advance(inbox)) {
         isStale = true;
         if (refinements === 'all' || (refinements === 'newest' && isFirst)) {
-          yield this.#run(() => this.#surface());
+          yield* this.#surface(inbox);
           isFirst = isStale = false;
         }
         await pause(); // an abort may be pending
         inbox.throwIfFailed();
       }
-      const failure = this.#run(() => this.#failure());
-      const isLast = input.isEnd || failure !== undefined || this.#raw.isFinal();
-      const isDue = isLast
-        ? isStale || (isFirst && this.#raw.isFinal())
-        : isStale && refinements !== 'last';
+      const { failure, isFinal } = this.#own;
+      const isLast = input.isEnd || failure !== undefined || isFinal;
+      const isDue = isLast ? isStale || (isFirst && isFinal) : isStale && refinements !== 'last';
       if (isOtherIsovalue || isDue) {
-        yield this.#run(() => this.#surface());
+        yield* this.#surface(inbox);
         isFirst = isStale = false;
       }
       if (failure) throw failure;
@@ -98,120 +64,140 @@ export class Session {
   }
 
   delete(): void {
-    try {
-      if (!this.#isLost) this.#run(() => this.#raw.delete());
-    } catch {} // the module is lost, and its memory with it
+    this.#team?.end();
+    this.#own.delete();
   }
 
-  /** Calls the module, which ends by a trap when it has no more memory. */
-  #run<Result>(work: () => Result): Result {
-    try {
-      return work();
-    } catch (reason) {
-      // RangeError: the thread's stack is full, or there is no memory for a copy.
-      if (!(reason instanceof WebAssembly.RuntimeError || reason instanceof RangeError))
-        throw reason;
-      this.#isLost = true;
-      this.#onLost();
-      throw new IsostarError('OverLimit', 'the surface needs more memory than is available');
-    }
+  #decoderOf(share?: ShareNumber): StreamDecoder {
+    return new StreamDecoder(this.#lease.module, this.#options, this.#lease.drop, share);
   }
 
   #accept({ pieces, isEnd }: Input): void {
-    for (const { bytes, offset } of pieces.splice(0))
-      for (let at = 0; at < bytes.length; at += CHUNK) {
-        const chunk = bytes.subarray(at, at + CHUNK);
-        this.#raw.room(chunk.length).set(chunk);
-        this.#raw.accept(chunk.length, offset + at);
-      }
-    if (isEnd) this.#raw.finish();
+    const decoder = this.#team ?? this.#own;
+    const mayBeNeeded = this.#team || this.#beginShares;
+    for (const piece of pieces.splice(0)) {
+      decoder.accept(piece);
+      if (mayBeNeeded) this.#accepted.push(piece);
+    }
+    if (isEnd) decoder.finish();
+    this.#isFinished ||= isEnd;
+  }
+
+  #acceptAgain(): void {
+    const decoder = this.#team ?? this.#own;
+    for (const piece of this.#accepted) decoder.accept(piece);
+    if (this.#isFinished) decoder.finish();
   }
 
   /** Returns whether that makes another surface. */
   #setIsovalue(isovalue: number | undefined): boolean {
     if (isovalue === undefined || isovalue === this.#isovalue) return false;
     this.#isovalue = isovalue;
-    return this.#raw.level() >= 0;
+    return this.#own.level >= 0;
   }
 
-  #advance(inbox: Inbox): boolean {
-    return this.#run(() => {
-      const start = performance.now();
-      const isBetter = this.#raw.advance();
-      this.#decodeTime += performance.now() - start;
-      this.#want(inbox);
-      return isBetter;
-    });
+  async #advance(inbox: Inbox): Promise<boolean> {
+    const start = performance.now();
+    const isBetter = await this.#decodeLayer(inbox);
+    this.#decodeTime += performance.now() - start;
+    this.#want(inbox);
+    return isBetter;
+  }
+
+  async #decodeLayer(inbox: Inbox): Promise<boolean> {
+    try {
+      if (this.#beginShares && this.#own.levels > 0) await this.#divide(this.#beginShares);
+      return await (this.#team ?? this.#own).advance();
+    } catch (reason) {
+      if (!(reason instanceof TeamFailure)) throw reason;
+      return this.#decodeAlone(inbox);
+    }
+  }
+
+  /** Divides a stream in chunks among other threads, and repeats what is decoded already. */
+  async #divide(beginShares: BeginShares): Promise<void> {
+    this.#beginShares = undefined;
+    const most = chunksOf(this.#own.info) - 1;
+    const others = most > 0 ? await beginShares(most, this.#options) : [];
+    if (others.length === 0) return void this.#accepted.splice(0);
+    const { bytes } = this.#own;
+    this.#own.delete();
+    this.#own = this.#decoderOf({ number: 0, of: others.length + 1 });
+    this.#team = new Team(this.#own, others);
+    this.#acceptAgain();
+    while (this.#own.bytes < bytes && (await this.#team.advance()));
+  }
+
+  /**
+   * Decodes the stream anew without other threads, up to a better surface than the last one. So the
+   * errors of a stream, and the sound surfaces before them, do not depend on who decodes it.
+   */
+  async #decodeAlone(inbox: Inbox): Promise<boolean> {
+    this.#team?.end();
+    this.#team = undefined;
+    this.#own.delete();
+    this.#own = this.#decoderOf();
+    this.#acceptAgain();
+    this.#accepted.splice(0);
+    while (this.#own.advance()) {
+      if (this.#own.bytes > this.#shown) return true;
+      await pause();
+      inbox.throwIfFailed();
+    }
+    return false;
   }
 
   /** States which bytes are needed. From the header on that does not change any more. */
   #want(inbox: Inbox): void {
     if (!this.#hasHeader) {
-      this.#hasHeader = this.#raw.levels() > 0;
-      inbox.want([...this.#wanted()]);
+      this.#hasHeader = this.#own.levels > 0;
+      inbox.want([...this.#own.wanted()]);
     }
-    if (this.#wanted().next().done) inbox.close();
+    if (this.#own.wanted().next().done) inbox.close();
   }
 
-  *#wanted(): Generator<ByteRange, void> {
-    for (let at = 0; ;) {
-      const [begin, end] = [this.#raw.wantedBegin(at), this.#raw.wantedEnd(at)];
-      if (begin === end) return;
-      yield { begin, end };
-      at = end;
-    }
-  }
-
-  #failure(): IsostarError | undefined {
-    const code = this.#raw.error();
-    if (code === 'None') return undefined;
-    const { dimension } = this.#raw.info();
-    const message =
-      dimension === 3
-        ? this.#raw.describeError()
-        : `the stream holds ${CONTENTS[dimension]}; this decoder reads volumes only`;
-    return new IsostarError(code as IsostarErrorCode, message);
-  }
-
-  #surface(): Surface {
-    const raw = this.#raw;
-    const info = raw.info();
-    const isovalue = this.#isovalue ?? info.isovalues[0]!;
-    checkIsovalue(info, isovalue);
+  /** The surface; none if it turns out that there is no better one than the last. */
+  async *#surface(inbox: Inbox): AsyncGenerator<WholeSurface, void> {
+    const isovalue = this.#isovalue ?? this.#own.info.isovalues[0]!;
+    checkIsovalue(this.#own.info, isovalue);
     const start = performance.now();
-    const code = raw.makeMesh(
-      this.#module.Polygonizer[this.#polygonizer],
-      this.#module.Frame[this.#frame],
-      this.#normals,
-      isovalue,
-    );
-    if (code !== 'None')
-      throw new IsostarError(
-        code as IsostarErrorCode,
-        code === 'OverLimit'
-          ? 'the surface is larger than the limits allow'
-          : 'no surface can be made from the stream',
-      );
+    const mesh = await this.#mesh(isovalue, inbox);
+    if (!mesh) return;
     const polygonize = performance.now() - start;
-    return {
-      // Copies: a view becomes invalid when the module's memory grows.
-      positions: raw.positions().slice() as Float32Array<ArrayBuffer>,
-      normals: raw.normals().slice() as Float32Array<ArrayBuffer>,
-      indices: raw.indices().slice() as Uint32Array<ArrayBuffer>,
-      bytes: raw.bytes(),
-      level: raw.level(),
-      levels: raw.levels(),
+    const { info, bytes, level, levels, isFinal } = this.#own;
+    this.#shown = bytes;
+    yield {
+      positions: mesh.positions,
+      normals: mesh.normals,
+      indices: mesh.indices,
+      bytes,
+      level,
+      levels,
       isovalue,
       error: errorAt(info, isovalue),
-      final: raw.isFinal(),
+      final: isFinal,
       info,
       milliseconds: { decode: this.#decodeTime, polygonize },
     };
   }
+
+  async #mesh(isovalue: number, inbox: Inbox): Promise<Mesh | undefined> {
+    try {
+      return await (this.#team ?? this.#own).mesh(isovalue);
+    } catch (reason) {
+      if (!(reason instanceof TeamFailure)) throw reason;
+    }
+    return (await this.#decodeAlone(inbox)) ? this.#own.mesh(isovalue) : undefined;
+  }
 }
 
-function check(name: string, value: string, values: readonly string[]): void {
-  if (!values.includes(value)) throw new IsostarError('BadArgument', `unknown ${name} "${value}"`);
+/** How many chunks the last level has. */
+function chunksOf({ size, chunkSide }: StreamInfo): number {
+  if (chunkSide === 0) return 1;
+  return size.reduce(
+    (count, samples) => count * Math.max(1, Math.ceil((samples - 1) / chunkSide)),
+    1,
+  );
 }
 
 function checkIsovalue({ isovalues }: StreamInfo, wanted: number): void {

@@ -3,27 +3,34 @@ import { Cleanup, cleanUpAfter } from '../codec/cleanup.js';
 import { disposed } from '../codec/disposed.js';
 import type { WasmSource } from '../codec/load-module.js';
 import { sortOptions } from '../codec/options.js';
+import { withChunks } from '../codec/surface-chunks.js';
 import { Feed } from '../input/feed.js';
 import { sendIsovalues } from '../input/inbox.js';
 import type { Piece } from '../input/pieces.js';
 import { hold, type HeldSource } from '../input/source.js';
+import type { OpenOptions } from './protocol.js';
 import { type Call, WorkerLink } from './worker-link.js';
 
 /** Decodes in a worker of its own; the page only passes bytes on. */
 export class RemoteDecoder implements Decoder {
-  readonly #wasm: Exclude<WasmSource, URL> | undefined;
+  readonly #open: OpenOptions;
   readonly #limits: Limits | undefined;
   #link: Promise<WorkerLink> | undefined;
   #isDisposed = false;
   #lastId = 0;
 
-  private constructor(wasm: WasmSource | undefined, limits: Limits | undefined) {
-    this.#wasm = postable(wasm);
+  private constructor(open: OpenOptions, limits: Limits | undefined) {
+    this.#open = open;
     this.#limits = limits;
   }
 
-  static async create(wasm?: WasmSource, limits?: Limits): Promise<RemoteDecoder> {
-    const decoder = new RemoteDecoder(wasm, limits);
+  /** `workers`: how many may decode a stream together. */
+  static async create(
+    wasm: WasmSource | undefined,
+    limits: Limits | undefined,
+    workers: number,
+  ): Promise<RemoteDecoder> {
+    const decoder = new RemoteDecoder({ wasm: postable(wasm), helpers: workers - 1 }, limits);
     await decoder.#connect();
     return decoder;
   }
@@ -68,7 +75,7 @@ export class RemoteDecoder implements Decoder {
         link.post({ type: 'next', id });
         const reply = await call.reply();
         if (reply.type !== 'surface') return;
-        yield reply.surface;
+        yield withChunks(reply.surface, surface.frame);
       }
     } finally {
       cleanup.run();
@@ -82,11 +89,14 @@ export class RemoteDecoder implements Decoder {
     const forget = () => {
       if (this.#link === link) this.#link = undefined;
     };
-    const link = WorkerLink.open(this.#wasm, forget);
+    const link = WorkerLink.open(startWorker, this.#open, forget);
     link.catch(forget);
     return (this.#link = link);
   }
 }
+
+// Relative to the bundle in dist/.
+const startWorker = () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
 
 /** The inbox at the other end, in the worker. */
 function inboxAt(link: WorkerLink, id: number, call: Call) {

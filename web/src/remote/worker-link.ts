@@ -1,20 +1,19 @@
 import { IsostarError } from '../api/errors.js';
-import type { WasmSource } from '../codec/load-module.js';
 import type { Feed } from '../input/feed.js';
-import type { Reply, Report, Request } from './protocol.js';
+import type { OpenOptions, Reply, Report, Request } from './protocol.js';
 
 /** One call of decode(), or the worker's start. */
 export class Call {
   /** The source of the call, if it has one. */
   feed: Feed | undefined;
   #failure: { readonly reason: unknown } | undefined;
-  #waiting: { resolve(reply: Reply): void; reject(reason: unknown): void } | undefined;
+  readonly #waiting: { resolve(reply: Reply): void; reject(reason: unknown): void }[] = [];
 
-  /** Resolves to the next reply of the worker. */
+  /** Resolves to the next reply of the worker that no earlier call waits for. */
   async reply(): Promise<Reply> {
     if (this.#failure) throw this.#failure.reason;
     const reply = await new Promise<Reply>((resolve, reject) => {
-      this.#waiting = { resolve, reject };
+      this.#waiting.push({ resolve, reject });
     });
     if (reply.type !== 'failed') return reply;
     throw reply.code ? new IsostarError(reply.code, reply.message) : new Error(reply.message);
@@ -24,17 +23,13 @@ export class Call {
     if (message.type === 'taken') this.feed?.taken(message.weight);
     else if (message.type === 'wanted') this.feed?.want(message.ranges);
     else if (message.type === 'enough') this.feed?.stop();
-    else {
-      this.#waiting?.resolve(message);
-      this.#waiting = undefined;
-    }
+    else this.#waiting.shift()?.resolve(message);
   }
 
   /** A pending reply() and all later ones throw `reason`; the first reason counts. */
   fail(reason: unknown): void {
     this.#failure ??= { reason };
-    this.#waiting?.reject(reason);
-    this.#waiting = undefined;
+    for (const { reject } of this.#waiting.splice(0)) reject(reason);
   }
 
   throwIfFailed(): void {
@@ -62,15 +57,16 @@ export class WorkerLink {
     worker.onmessageerror = () => this.#lose('a message could not be read');
   }
 
-  /** Starts a worker. `onLost` is called if it ends by itself. */
+  /** Starts a worker of this package. `onLost` is called if it ends by itself. */
   static async open(
-    wasm: Exclude<WasmSource, URL> | undefined,
+    start: () => Worker,
+    options: OpenOptions,
     onLost: () => void,
   ): Promise<WorkerLink> {
-    const link = new WorkerLink(startWorker(), onLost);
+    const link = new WorkerLink(started(start), onLost);
     try {
       const call = link.begin(0);
-      link.post({ type: 'open', id: 0, wasm });
+      link.post({ type: 'open', id: 0, ...options });
       await call.reply();
     } catch (reason) {
       link.close(reason);
@@ -116,10 +112,9 @@ export class WorkerLink {
   }
 }
 
-function startWorker(): Worker {
+function started(start: () => Worker): Worker {
   try {
-    // Relative to the bundle in dist/.
-    return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    return start();
   } catch (reason) {
     const { message } = reason as Error;
     throw new IsostarError('BadArgument', `the decoder's worker cannot be started (${message})`);
