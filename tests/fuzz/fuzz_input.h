@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "isostar/isostar.h"
+#include "hostile/parts.h"
 
 namespace isostar {
 
@@ -80,6 +80,14 @@ inline void demandHarmless(std::span<const std::byte> stream, const Limits& limi
   demand(decoder.isFinal() || decoder.error() != Error::None);
   StreamInfo info;
   (void)inspect(stream, info);
+  if (!isInChunks(stream)) return;
+  demandSoundSurfaces(decodedRegion(stream, limits));
+  for (const Decoder& share : decodedShares(stream, limits)) {
+    Mesh mesh;
+    std::vector<MeshRun> runs;
+    if (share.mesh({}, mesh, runs) != Error::None) continue;
+    for (float v : mesh.positions) demand(std::isfinite(v));
+  }
 }
 
 }  // namespace isostar

@@ -2,6 +2,7 @@
 // errors.
 #pragma once
 
+#include "hostile/parts.h"
 #include "property/round_trip.h"
 #include "property/surface_checks.h"
 
@@ -70,12 +71,31 @@ inline Decoder harmlesslyDecoded(std::span<const std::byte> bytes, const Limits&
   return decoder;
 }
 
-/// Decodes all layers and makes one of the last surfaces, by `number`; returns the decoder.
+/// Decodes a stream in chunks in parts, and makes one of their last surfaces, by `number`.
+inline void decodePartsHarmlessly(std::span<const std::byte> bytes, std::size_t number) {
+  if (!isInChunks(bytes)) return;
+  const Decoder region = decodedRegion(bytes, kTight);
+  EXPECT_TRUE(region.isFinal() || region.error() != Error::None);
+  const auto options = optionsToShow(region.info());
+  const MeshOptions& shown = options[number % options.size()];
+  if (region.ready()) showHarmlessly(region, shown, kTight);
+  for (const Decoder& share : decodedShares(bytes, kTight)) {
+    Mesh mesh;
+    std::vector<MeshRun> runs;
+    const Error error = share.mesh(shown, mesh, runs);
+    EXPECT_TRUE(error == Error::None || error == Error::OverLimit || !share.ready());
+    for (const float v : mesh.positions) ASSERT_TRUE(std::isfinite(v));
+  }
+}
+
+/// Decodes all layers and makes one of the last surfaces, by `number`, as a whole and in parts;
+/// returns the decoder of the whole.
 inline Decoder harmlesslyDecodedToTheEnd(std::span<const std::byte> bytes, std::size_t number) {
   Decoder decoder = decoderOf(bytes, kTight);
   const auto options = optionsToShow(decoder.info());
   if (decoder.ready()) showHarmlessly(decoder, options[number % options.size()], kTight);
   expectEnded(decoder, bytes.size());
+  decodePartsHarmlessly(bytes, number);
   return decoder;
 }
 

@@ -111,8 +111,7 @@ class ChunkedLevel {
   }
 
  private:
-  Chunks chunks_;  // empty while the level is one chunk; null for those that are
-                   // not decoded
+  Chunks chunks_;  // empty while the level is one chunk; null where not decoded
 };
 
 }  // namespace isostar

@@ -15,8 +15,8 @@ namespace isostar {
 class Arrivals {
  public:
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
-  /// Where in the stream the next wanted byte lies, or the end of the last one.
-  [[nodiscard]] uint64_t position() const { return position_; }
+  /// Where in the stream the last one of these bytes ends.
+  [[nodiscard]] uint64_t end() const { return end_; }
   /// The first bytes at `from` or after that are wanted and have not arrived. At first all are
   /// wanted.
   [[nodiscard]] ByteRange wanted(uint64_t from = 0) const {
@@ -42,7 +42,7 @@ class Arrivals {
       if (!isAll_) taken = taken.first(std::min<uint64_t>(taken.size(), wanted().end - position_));
       if (taken.size() > most - bytes_.size()) return false;
       bytes_.insert(bytes_.end(), taken.begin(), taken.end());
-      position_ += taken.size();
+      end_ = position_ += taken.size();
       if (!isAll_ && position_ == ranges_[next_].end && ++next_ < ranges_.size())
         position_ = ranges_[next_].begin;
     }
@@ -55,6 +55,7 @@ class Arrivals {
     bytes_.resize(start);
     ranges_ = std::move(ranges);
     isAll_ = false;
+    end_ = start;
     position_ = ranges_.empty() ? start : ranges_.front().begin;
     accept(tail, start, UINT64_MAX);
   }
@@ -63,8 +64,9 @@ class Arrivals {
   std::vector<std::byte> bytes_;
   std::vector<ByteRange> ranges_;  // none is empty
   bool isAll_ = true;
-  std::size_t next_ = 0;  // the range of the next wanted byte
-  uint64_t position_ = 0;
+  std::size_t next_ = 0;   // the range of the next wanted byte
+  uint64_t position_ = 0;  // of the next wanted byte, or the end of the last one
+  uint64_t end_ = 0;
 };
 
 }  // namespace isostar

@@ -97,7 +97,7 @@ ISOSTAR_COLD bool StreamDecoder::decodeTorn(const LayerHead& head,
   tornShown = true;
   if (!findSections(head, bytes)) return fail(Error::Corrupt);
   const auto [e, better] = reconstruction->decode(head, sections, true);
-  if (better) shown = in.position();
+  if (better) shown = in.end();
   fail(e == Error::None ? Error::Truncated : e);
   return better;
 }
