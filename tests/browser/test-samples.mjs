@@ -3,7 +3,7 @@ import { copyFileSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSyn
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { gyroidStream, isostar, severalStream } from '../node/streams.mjs';
+import { chunkedStream, gyroidStream, isostar, severalStream } from '../node/streams.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'isostar-samples-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
@@ -12,6 +12,7 @@ const stream = gyroidStream();
 const bunny = join(createRequire(import.meta.url).resolve('draco3d'), '../bunny.drc');
 copyFileSync(stream, join(folder, 'gyroid.isostar'));
 copyFileSync(severalStream(), join(folder, 'several.isostar'));
+copyFileSync(chunkedStream(), join(folder, 'chunked.isostar'));
 copyFileSync(bunny, join(folder, 'bunny.drc'));
 const damaged = readFileSync(stream).subarray(0, 2000).fill(7, 1500);
 writeFileSync(join(folder, 'broken.isostar'), damaged);
@@ -28,6 +29,7 @@ const draco = { file: 'bunny.drc', bytes: statSync(bunny).size, settings: 'a bun
 const samples = [
   sample('gyroid', 'gyroid.isostar', { draco }),
   sample('several', 'several.isostar'),
+  sample('chunked', 'chunked.isostar'),
   sample('stepwise', 'stepwise.isostar'),
   sample('broken', 'broken.isostar'),
 ];

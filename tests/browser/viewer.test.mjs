@@ -120,6 +120,25 @@ test('the isovalue slider shows values between, and is hidden for one isovalue',
   await page.close();
 });
 
+test('chunks can be coloured, where there are any', async () => {
+  const page = await browser.open('?rate=Infinity&sample=gyroid');
+  await settled(page, 'isostar-complete');
+  assert.ok(await page.locator('#chunks').isHidden());
+  await page.locator('#sample').selectOption('chunked');
+  await page.locator('#chunks').waitFor({ state: 'visible' });
+  await settled(page, 'isostar-complete');
+  await page.waitForTimeout(500);
+  const picture = () => page.locator('#picture').screenshot();
+  const plain = await picture();
+  await page.keyboard.press('k');
+  assert.equal(await page.locator('#chunks').getAttribute('aria-pressed'), 'true');
+  for (let tries = 0; tries < 20 && (await picture()).equals(plain); tries++)
+    await page.waitForTimeout(100);
+  assert.notDeepEqual(await picture(), plain);
+  assert.deepEqual(browser.complaints, []);
+  await page.close();
+});
+
 test('polygonizer, wireframe, comparison, keys', async () => {
   const page = await browser.open('?rate=Infinity&sample=gyroid');
   await settled(page, 'isostar-complete');

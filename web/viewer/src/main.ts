@@ -45,6 +45,7 @@ function listenToControls(): void {
   element('#replay').addEventListener('click', () => void viewer.replay());
   element('#fit').addEventListener('click', () => viewer.stage.fit());
   onToggle('#wireframe', (on) => viewer.stage.setWireframe(on));
+  onToggle('#chunks', (on) => viewer.stage.setColouring(on));
   onToggle('#compare', (on) => viewer.setComparing(on));
   addEventListener('keydown', handleKey);
 }
@@ -64,6 +65,7 @@ function handleKey(event: KeyboardEvent): void {
   const buttons: Record<string, string> = {
     f: '#fit',
     w: '#wireframe',
+    k: '#chunks',
     c: '#compare',
     r: '#replay',
   };

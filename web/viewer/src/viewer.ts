@@ -122,6 +122,7 @@ export class Viewer {
     this.#isovalues.show(surface);
     this.#update();
     const { info, milliseconds } = surface;
+    element('#chunks').hidden = info.chunkSide === 0;
     this.#isostarSide.addFigures({
       bytes: surface.bytes,
       sourceVertices: info.vertices,

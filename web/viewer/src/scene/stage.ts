@@ -95,6 +95,13 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Gives each chunk of the first pane's surface a colour. */
+  setColouring(on: boolean): void {
+    this.#panes[0].setColouring(on);
+    void this.#drawEdges();
+    this.invalidate();
+  }
+
   invalidate(): void {
     if (this.#isDue) return;
     this.#isDue = true;
