@@ -16,11 +16,8 @@ template <int D>
   std::vector<std::size_t> bricks(grid.total()), order(grid.total());
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     order[i] = i;
-    const Chunk<D> chunk = grid.chunk(i);
-    Coordinates<D> last = chunk.end;
-    for (int32_t& at : last) --at;
-    forEachBetween<D>(chunk.begin, last, [&](const Coordinates<D>& brick) {
-      bricks[i] += level.slot(level.table().index(brick)) > Signs<D>::kPositive ? 1 : 0;
+    forEachBrickOf(grid.chunk(i), level.table(), [&](std::size_t brickIndex) {
+      bricks[i] += level.slot(brickIndex) > Signs<D>::kPositive ? 1 : 0;
     });
   }
   std::stable_sort(order.begin(), order.end(),
