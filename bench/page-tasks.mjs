@@ -1,9 +1,7 @@
 // `node bench/page-tasks.mjs STREAM`, after npm run build: for how long a page's main thread is
 // busy at once while a stream is fetched and decoded in workers, each surface handed to the page.
-import { copyFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { openBrowser } from '../tests/browser/browser.mjs';
-import { makePage } from '../tests/browser/package-page.mjs';
+import { openDecoderPage } from './measure/decoder-page.mjs';
+import { addLongestWait } from './measure/longest-wait.mjs';
 
 /** Runs in the page: long tasks as the browser counts them, and the longest wait for a message. */
 async function observe() {
@@ -14,35 +12,20 @@ async function observe() {
     longTasks.push(...list.getEntries().map(({ duration }) => duration)),
   );
   observer.observe({ type: 'longtask' });
-  const { port1, port2 } = new MessageChannel();
-  let [longestWait, isRunning] = [0, true];
-  const waits = (async () => {
-    while (isRunning) {
-      const start = performance.now();
-      await new Promise((resolve) => {
-        port1.onmessage = resolve;
-        port2.postMessage(0);
-      });
-      longestWait = Math.max(longestWait, performance.now() - start);
-      await new Promise((resolve) => setTimeout(resolve, 4));
-    }
-  })();
+  let isRunning = true;
+  const longestWait = window.longestWaitUntil(() => !isRunning);
   let [surfaces, triangles] = [0, 0];
   for await (const surface of decoder.decode(await fetch('/measured.isostar'))) {
     surfaces++;
     triangles = surface.indices.length / 3;
   }
   isRunning = false;
-  await waits;
   longTasks.push(...observer.takeRecords().map(({ duration }) => duration));
-  return { surfaces, triangles, longTasks, longestWait };
+  return { surfaces, triangles, longTasks, longestWait: await longestWait };
 }
 
-const folder = await makePage();
-copyFileSync(process.argv[2], join(folder, 'measured.isostar'));
-const browser = await openBrowser([folder]);
-const page = await browser.open('page/');
-await page.waitForFunction(() => window.createDecoder);
+const { browser, page } = await openDecoderPage(process.argv[2]);
+await addLongestWait(page);
 const { surfaces, triangles, longTasks, longestWait } = await page.evaluate(observe);
 await browser.close();
 console.log(

@@ -2,6 +2,7 @@
 // input while surfaces arrive.
 import { openBrowser, VIEWER } from '../tests/browser/browser.mjs';
 import { FOLDER, LAYERS, stepwise } from '../tests/browser/test-samples.mjs';
+import { addLongestWait } from './measure/longest-wait.mjs';
 
 const ROUNDS = 4;
 const LAYER_INTERVAL = 400; // milliseconds
@@ -11,17 +12,7 @@ async function longestWait(interval) {
   const isComplete = () =>
     /\d/.test(document.querySelector('[data-stat=isostar-complete]').textContent);
   const timer = setInterval(() => void fetch('next-layer'), interval);
-  const { port1, port2 } = new MessageChannel();
-  let longest = 0;
-  while (!isComplete()) {
-    const start = performance.now();
-    await new Promise((resolve) => {
-      port1.onmessage = resolve;
-      port2.postMessage(0);
-    });
-    longest = Math.max(longest, performance.now() - start);
-    await new Promise((resolve) => setTimeout(resolve, 4));
-  }
+  const longest = await window.longestWaitUntil(isComplete);
   clearInterval(timer);
   return longest;
 }
@@ -33,6 +24,7 @@ for (let round = 0; round < ROUNDS; round++) {
   await page.waitForFunction(() =>
     /\d/.test(document.querySelector('[data-stat=isostar-first]').textContent),
   );
+  await addLongestWait(page);
   waits.push(await page.evaluate(longestWait, LAYER_INTERVAL));
   await page.close();
 }

@@ -1,10 +1,7 @@
 // `node bench/page-workers.mjs STREAM [RUNS [WORKERS…]]`, after npm run build: how long a page takes
 // to decode and polygonize a stream in memory, by the number of workers. Runs of all numbers take
 // turns, after one that starts the workers.
-import { copyFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { openBrowser } from '../tests/browser/browser.mjs';
-import { makePage } from '../tests/browser/package-page.mjs';
+import { openDecoderPage } from './measure/decoder-page.mjs';
 
 const [stream, runs = '8', ...numbers] = process.argv.slice(2);
 const workers = numbers.length > 0 ? numbers.map(Number) : [1, 2];
@@ -26,11 +23,7 @@ async function timesOf([runs, workers]) {
   return times;
 }
 
-const folder = await makePage();
-copyFileSync(stream, join(folder, 'measured.isostar'));
-const browser = await openBrowser([folder]);
-const page = await browser.open('page/');
-await page.waitForFunction(() => window.createDecoder);
+const { browser, page } = await openDecoderPage(stream);
 const times = await page.evaluate(timesOf, [Number(runs), workers]);
 await browser.close();
 console.log('workers  best, ms  median, ms');

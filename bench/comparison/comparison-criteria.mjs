@@ -22,39 +22,31 @@ function everyOne(what, all, holds) {
 }
 
 /** A mean, and the worst surface; with `worst` the target holds for that one too. */
-function atMost(what, target, all, value, { worst = false, digits = 2 } = {}) {
+function judged(what, sign, target, all, value, { worst = false, digits = 2 } = {}) {
   const numbers = known(all, value);
   if (numbers.length === 0)
-    return { what, target: `≤ ${target}`, measured: 'not measured', met: undefined };
+    return { what, target: `${sign} ${target}`, measured: 'not measured', met: undefined };
+  const holds = (number) => (sign === '≤' ? number <= target : number >= target);
+  const isWorse = (a, b) => (sign === '≤' ? a > b : a < b);
   const mean = geometricMean(numbers.map(({ value: v }) => v));
   const write = (number) => fixed(number, digits);
-  const highest = numbers.reduce((a, b) => (b.value > a.value ? b : a));
+  const last = numbers.reduce((a, b) => (isWorse(b.value, a.value) ? b : a));
   return {
     what,
-    target: `≤ ${target}${worst ? ' each' : ', mean'}`,
-    measured: `mean ${write(mean)}, worst ${write(highest.value)} (${highest.name})`,
-    met: (worst ? highest.value : mean) <= target,
+    target: `${sign} ${target}${worst ? ' each' : ', mean'}`,
+    measured: `mean ${write(mean)}, worst ${write(last.value)} (${last.name})`,
+    met: holds(worst ? last.value : mean),
   };
 }
+const atMost = (what, ...rest) => judged(what, '≤', ...rest);
+const atLeast = (what, ...rest) => judged(what, '≥', ...rest);
 
-function atLeast(what, target, all, value) {
-  const numbers = known(all, value);
-  if (numbers.length === 0)
-    return { what, target: `≥ ${target} each`, measured: 'not measured', met: undefined };
-  const mean = geometricMean(numbers.map(({ value: v }) => v));
-  const lowest = numbers.reduce((a, b) => (b.value < a.value ? b : a));
-  return {
-    what,
-    target: `≥ ${target} each`,
-    measured: `mean ${fixed(mean, 2)}, worst ${fixed(lowest.value, 2)} (${lowest.name})`,
-    met: lowest.value >= target,
-  };
-}
+/** Fewest vertices of surfaces that are divided into chunks. */
+export const FEWEST_IN_CHUNKS = 200_000;
 
 /** Times with several threads, of surfaces that are divided into chunks. */
 export function threadCriteria(all) {
-  const FEWEST_VERTICES = 200000;
-  const large = all.filter(({ vertices }) => vertices >= FEWEST_VERTICES);
+  const large = all.filter(({ vertices }) => vertices >= FEWEST_IN_CHUNKS);
   const worst = { worst: true };
   return [
     atMost(
@@ -71,8 +63,14 @@ export function threadCriteria(all) {
       (one) => one.encode7InThreads,
       worst,
     ),
-    atLeast('decode and polygonize, against one thread', 1.75, large, (one) => one.decodeGain),
-    atLeast('encode, against one thread', 1.75, large, (one) => one.encodeGain),
+    atLeast(
+      'decode and polygonize, against one thread',
+      1.75,
+      large,
+      (one) => one.decodeGain,
+      worst,
+    ),
+    atLeast('encode, against one thread', 1.75, large, (one) => one.encodeGain, worst),
   ];
 }
 

@@ -5,7 +5,12 @@ import { inParallel } from '../measure/in-parallel.mjs';
 import * as native from '../measure/native-program.mjs';
 import { wasmTimes } from '../measure/wasm-times.mjs';
 import { printVerdicts } from '../output/verdicts.mjs';
-import { mainCriteria, rateCriteria, threadCriteria } from './comparison-criteria.mjs';
+import {
+  FEWEST_IN_CHUNKS,
+  mainCriteria,
+  rateCriteria,
+  threadCriteria,
+} from './comparison-criteria.mjs';
 import { plot } from './comparison-plot.mjs';
 import { detail, lowRates, overview, rates } from './comparison-tables.mjs';
 import { sizeChanges } from './size-changes.mjs';
@@ -45,7 +50,10 @@ function report(all, options, out) {
   const changes = sizeChanges(all, join(out, 'sizes.json'));
   if (changes.length) console.log(`\nbytes against the previous run\n  ${changes.join('\n  ')}`);
   printVerdicts('the comparison', mainCriteria(all));
-  printVerdicts(`${options.threads} threads, surfaces of 200,000 vertices`, threadCriteria(all));
+  printVerdicts(
+    `${options.threads} threads, surfaces of ${FEWEST_IN_CHUNKS.toLocaleString('en')} vertices`,
+    threadCriteria(all),
+  );
   if (options.rate) printVerdicts('the rate', rateCriteria(all));
 }
 

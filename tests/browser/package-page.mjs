@@ -38,3 +38,17 @@ export async function makePage() {
   writeFileSync(join(folder, 'page', 'index.html'), PAGE);
   return folder;
 }
+
+/** Loads the real worker, and throws in it at a request of a type, the `nth` time. */
+export const workerThatDies = (type, nth) => `import '/worker.js?sound';
+let count = 0;
+addEventListener('message', ({ data }) => {
+  if (data.type === '${type}' && ++count === ${nth}) throw new Error('struck down');
+});`;
+
+/** Answers /worker.js instead of the server: a script that is there, or none. */
+export function answerWorker(script, response, headers) {
+  if (script === undefined) response.writeHead(404, headers).end();
+  else response.writeHead(200, { ...headers, 'Content-Type': 'text/javascript' }).end(script);
+  return true;
+}

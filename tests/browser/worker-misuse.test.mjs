@@ -6,15 +6,10 @@ import { after, before, test } from 'node:test';
 import { withMemory } from '../node/small-memory.mjs';
 import { largeStream } from '../node/streams.mjs';
 import { openBrowser } from './browser.mjs';
-import { makePage } from './package-page.mjs';
+import { answerWorker, makePage, workerThatDies } from './package-page.mjs';
 import { FOLDER } from './test-samples.mjs';
 
-/** Loads the real worker, and throws in it at the second request for a surface. */
-const DYING = `import '/worker.js?sound';
-let count = 0;
-addEventListener('message', ({ data }) => {
-  if (data.type === 'next' && ++count === 2) throw new Error('struck down');
-});`;
+const DYING = workerThatDies('next', 2);
 
 let browser, page;
 let worker = 'sound'; // how /worker.js is answered: sound, dying or missing
@@ -26,9 +21,7 @@ before(async () => {
   writeFileSync(join(folder, 'large.isostar'), readFileSync(largeStream()));
   const handle = (request, response, headers) => {
     if (worker === 'sound' || request.url !== '/worker.js') return false;
-    if (worker === 'missing') response.writeHead(404, headers).end();
-    else response.writeHead(200, { ...headers, 'Content-Type': 'text/javascript' }).end(DYING);
-    return true;
+    return answerWorker(worker === 'missing' ? undefined : DYING, response, headers);
   };
   browser = await openBrowser([folder, FOLDER], { handle });
   page = await open();

@@ -5,14 +5,9 @@ import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { ballStream, chunkedStream } from '../node/streams.mjs';
 import { openBrowser } from './browser.mjs';
-import { makePage } from './package-page.mjs';
+import { answerWorker, makePage, workerThatDies } from './package-page.mjs';
 
-/** Loads the real worker, and throws in it when it has to go on with a share for the fifth time. */
-const DYING = `import '/worker.js?sound';
-let count = 0;
-addEventListener('message', ({ data }) => {
-  if (data.type === 'advance' && ++count === 5) throw new Error('struck down');
-});`;
+const DYING = workerThatDies('advance', 5);
 
 let browser, page;
 let started = 0; // workers
@@ -26,9 +21,7 @@ before(async () => {
   writeFileSync(join(folder, 'damaged.isostar'), bytes.fill(7, 50_000, 50_010));
   const handle = (request, response, headers) => {
     if (request.url !== '/worker.js' || ++started === 1 || helper === 'sound') return false;
-    if (helper === 'missing') response.writeHead(404, headers).end();
-    else response.writeHead(200, { ...headers, 'Content-Type': 'text/javascript' }).end(DYING);
-    return true;
+    return answerWorker(helper === 'missing' ? undefined : DYING, response, headers);
   };
   browser = await openBrowser([folder, dirname(path)], { handle });
   page = await browser.open('page/');

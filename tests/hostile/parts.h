@@ -15,6 +15,22 @@ inline bool isInChunks(std::span<const std::byte> stream) {
   return inspect(stream, info) == Error::None && info.chunkSide != 0;
 }
 
+/// Decodes as far as a stream goes, and reads only what is wanted of it, in pieces of at most
+/// `piece` bytes. Returns how many bytes that were.
+inline uint64_t readWanted(std::span<const std::byte> stream, Decoder& decoder,
+                           uint64_t piece = 1 << 20) {
+  uint64_t read = 0;
+  for (;;) {
+    while (decoder.advance()) {
+    }
+    const ByteRange next = decoder.wanted();
+    const uint64_t end = std::min<uint64_t>({next.begin + piece, next.end, stream.size()});
+    if (next.begin >= end) return read;
+    decoder.accept(stream.subspan(next.begin, end - next.begin), next.begin);
+    read += end - next.begin;
+  }
+}
+
 /// Decodes about a third of a volume along each axis, from bytes that arrive as they are wanted.
 inline Decoder decodedRegion(std::span<const std::byte> stream, const Limits& limits) {
   StreamInfo info;
@@ -24,15 +40,7 @@ inline Decoder decodedRegion(std::span<const std::byte> stream, const Limits& li
   }
   Decoder decoder(limits);
   static_cast<void>(decoder.setRegion(third));
-  for (;;) {
-    while (decoder.advance()) {
-    }
-    const ByteRange next = decoder.wanted();
-    if (next.begin >= std::min<uint64_t>(next.end, stream.size())) break;
-    decoder.accept(
-        stream.subspan(next.begin, std::min<uint64_t>(next.end, stream.size()) - next.begin),
-        next.begin);
-  }
+  readWanted(stream, decoder);
   decoder.finish();
   while (decoder.advance()) {
   }

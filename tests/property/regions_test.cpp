@@ -2,6 +2,7 @@
 #include <random>
 #include <set>
 
+#include "hostile/parts.h"
 #include "round_trip.h"
 #include "surface_checks.h"
 
@@ -55,20 +56,6 @@ std::set<Point> verticesWithin(const Mesh& mesh, const Region& region) {
   return points;
 }
 
-/// Reads what is wanted of the stream in pieces; returns how many bytes that were.
-uint64_t readWanted(const Bytes& bytes, Decoder& decoder, uint64_t piece) {
-  uint64_t read = 0;
-  for (;;) {
-    while (decoder.advance()) {
-    }
-    const ByteRange next = decoder.wanted();
-    if (next.begin == next.end) return read;
-    const uint64_t end = std::min<uint64_t>({next.begin + piece, next.end, bytes.size()});
-    decoder.accept(std::span(bytes).subspan(next.begin, end - next.begin), next.begin);
-    read += end - next.begin;
-  }
-}
-
 Decoder decoderOfRegion(const Region& region) {
   Decoder decoder;
   EXPECT_EQ(decoder.setRegion(region), Error::None);
@@ -82,7 +69,7 @@ TEST(Regions, showTheVerticesOfTheWholeInClosedSurfaces) {
     const Mesh whole = decoded(bytes, kInGrid);
     for (const Region& region : boxes(field.size)) {
       Decoder decoder = decoderOfRegion(region);
-      readWanted(bytes, decoder, 1 << 20);
+      readWanted(bytes, decoder);
       ASSERT_EQ(decoder.error(), Error::None);
       ASSERT_TRUE(decoder.isFinal());
       const Mesh mesh = meshOf(decoder, kInGrid);
@@ -104,7 +91,7 @@ TEST(Regions, tetrahedraAndLosslessStreamsToo) {
   const Mesh whole = decoded(bytes, shown);
   for (const Region& region : boxes(field.size)) {
     Decoder decoder = decoderOfRegion(region);
-    readWanted(bytes, decoder, 1 << 20);
+    readWanted(bytes, decoder);
     const Mesh mesh = meshOf(decoder, shown);
     EXPECT_EQ(verticesWithin(mesh, region), verticesWithin(whole, region));
     expectClosed(mesh, field.size);
@@ -117,10 +104,10 @@ TEST(Regions, takeFewBytesAndNoOthers) {
   const Bytes bytes = inChunks(field);
   const Region eighth{{0, 0, 0}, {63, 63, 63}, Frame::Grid};
   Decoder decoder = decoderOfRegion(eighth);
-  EXPECT_LT(readWanted(bytes, decoder, 1 << 20), bytes.size() / 4);
+  EXPECT_LT(readWanted(bytes, decoder), bytes.size() / 4);
   EXPECT_TRUE(decoder.isFinal());
   Decoder all;
-  EXPECT_EQ(readWanted(bytes, all, 1 << 20), bytes.size());
+  EXPECT_EQ(readWanted(bytes, all), bytes.size());
 }
 
 TEST(Regions, theWaysOfBytesDoNotMatter) {
@@ -129,7 +116,7 @@ TEST(Regions, theWaysOfBytesDoNotMatter) {
   for (const Region& region : boxes(field.size)) {
     Decoder ranges = decoderOfRegion(region), whole = decoderOfRegion(region),
             pieces = decoderOfRegion(region), repeated = decoderOfRegion(region);
-    readWanted(bytes, ranges, 1 << 20);
+    readWanted(bytes, ranges);
     const Mesh mesh = meshOf(ranges, kInGrid);
     whole.accept(bytes);
     while (whole.advance()) {
@@ -175,7 +162,7 @@ TEST(Regions, inTheWorldAreThoseOfTheGrid) {
                      {-7, 100 + 47 * 0.7, 3.5 - 16 * 2.5},
                      Frame::World};
   Decoder one = decoderOfRegion(grid), other = decoderOfRegion(world);
-  EXPECT_EQ(readWanted(bytes, one, 1 << 20), readWanted(bytes, other, 1 << 20));
+  EXPECT_EQ(readWanted(bytes, one), readWanted(bytes, other));
   EXPECT_EQ(meshOf(one, kInGrid).positions, meshOf(other, kInGrid).positions);
 }
 
@@ -184,7 +171,7 @@ TEST(Regions, ofOtherStreamsAreTheWhole) {
   const auto field = sampled("sphere", size, sphere(size));
   const Bytes bytes = encoded(field);
   Decoder decoder = decoderOfRegion({{0, 0, 0}, {1, 1, 1}, Frame::Grid});
-  EXPECT_EQ(readWanted(bytes, decoder, 1 << 20), bytes.size());
+  EXPECT_EQ(readWanted(bytes, decoder), bytes.size());
   EXPECT_EQ(meshOf(decoder).positions, decoded(bytes).positions);
 }
 

@@ -2,11 +2,11 @@ import { IsostarError } from './api/errors.js';
 import { InboxDecoder } from './codec/inbox-decoder.js';
 import { Instances } from './codec/instances.js';
 import { loadModule } from './codec/load-module.js';
+import type { WholeSurface } from './codec/surface-chunks.js';
 import { Inbox } from './input/inbox.js';
 import { HeldShare } from './remote/held-share.js';
 import { Helpers } from './remote/helpers.js';
 import type { OpenOptions, Reply, Report, Request } from './remote/protocol.js';
-import type { WholeSurface } from './codec/surface-chunks.js';
 
 interface Port {
   postMessage(message: Reply | Report, transfer?: Transferable[]): void;

@@ -16,7 +16,6 @@ class ChunkedLevel {
   using Chunks = std::vector<std::unique_ptr<ChunkState<D>>>;
 
   [[nodiscard]] Chunks& chunks() { return chunks_; }
-  [[nodiscard]] const Chunks& chunks() const { return chunks_; }
 
   /// A chunk of the level after the whole's last one, with no sign coded.
   [[nodiscard]] ISOSTAR_COLD static std::unique_ptr<ChunkState<D>> next(const CodecState<D>& whole,

@@ -37,9 +37,15 @@ class UniformSurfaces {
     if (state_.partial) return withPartial(held, make);
     if (!state_.coarser.empty()) return withCoarser(held, make);
     if (state_.scalars.tableSize() == 0) return withEstimated(options, held, make);
+    // Of a share only the bricks in which scalars are needed.
+    std::vector<uint8_t> kept;
+    if (chunks_.share()) {
+      kept = state_.active;
+      keepOnly(chunks_.share()->beside(), kept);
+    }
     if (isovalue == header_.isovalue)
-      return withCompleted({state_.signs, shownBricks(), state_.scalars, state_.coded,
-                            state_.hints(), !state_.magnitudesRefined},
+      return withCompleted({state_.signs, chunks_.share() ? kept : state_.active, state_.scalars,
+                            state_.coded, state_.hints(), !state_.magnitudesRefined},
                            header_, options, held, make);
     return withBetween(isovalue, options, held, make);
   }
@@ -120,12 +126,6 @@ class UniformSurfaces {
                 held + completed);
   }
 
-  /// The active bricks in which scalars are needed.
-  [[nodiscard]] std::vector<uint8_t> shownBricks() const {
-    auto active = state_.active;
-    if (chunks_.share()) keepOnly(chunks_.share()->beside(), active);
-    return active;
-  }
   static void keepOnly(const std::vector<uint8_t>& marks, std::vector<uint8_t>& active) {
     for (std::size_t i = 0; i < active.size(); ++i) active[i] = active[i] & marks[i];
   }

@@ -4,8 +4,8 @@ import { Cleanup } from './cleanup.js';
 import { disposed } from './disposed.js';
 import type { Instances } from './instances.js';
 import { Session } from './session.js';
-import type { BeginShares } from './team.js';
 import type { WholeSurface } from './surface-chunks.js';
+import type { BeginShares } from './team.js';
 
 /** The decoder in the current thread, without the reading of sources: its caller fills inboxes. */
 export class InboxDecoder {

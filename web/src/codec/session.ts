@@ -6,8 +6,8 @@ import type { Lease } from './instances.js';
 import type { Mesh } from './mesh-part.js';
 import { pause } from './pause.js';
 import { type ShareNumber, StreamDecoder } from './stream-decoder.js';
-import { type BeginShares, Team, TeamFailure } from './team.js';
 import type { WholeSurface } from './surface-chunks.js';
+import { type BeginShares, Team, TeamFailure } from './team.js';
 
 const REFINEMENTS = ['newest', 'all', 'last'];
 

@@ -18,8 +18,7 @@ function divided(surface: WholeSurface, frame: Frame): SurfaceChunk[] {
   const { indices, info, level, levels } = surface;
   const side = (info.chunkSide || Infinity) * 2 ** (levels - 1 - level);
   const counts = info.size.map((samples) => Math.max(1, Math.ceil((samples - 1) / side)));
-  const toSample = frame === 'grid' ? (point: number[]) => point : inverseOf(info);
-  const places = placesOf(surface, side, counts, toSample);
+  const places = placesOf(surface, side, counts, samplesOf(info, frame));
   const lists: number[][] = [];
   for (let corner = 0; corner < indices.length; corner += 3)
     (lists[places[indices[corner]!]!] ??= []).push(corner);
@@ -35,15 +34,18 @@ function placesOf(
   { positions }: WholeSurface,
   side: number,
   counts: number[],
-  toSample: (point: number[]) => number[],
+  samples: Rows,
 ): Uint32Array {
   const places = new Uint32Array(positions.length / 3);
-  for (let v = 0; v < places.length && counts.some((count) => count > 1); v++) {
-    const sample = toSample([positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!]);
+  if (counts.every((count) => count === 1)) return places;
+  for (let v = 0; v < places.length; v++) {
     let place = 0;
     for (let axis = 2; axis >= 0; axis--) {
+      const [x, y, z, start] = samples[axis]!;
+      const sample =
+        x * positions[3 * v]! + y * positions[3 * v + 1]! + z * positions[3 * v + 2]! + start;
       const last = counts[axis]! - 1;
-      const at = Math.min(last, Math.max(0, Math.floor(sample[axis]! / side)));
+      const at = Math.min(last, Math.max(0, Math.floor(sample / side)));
       place = place * counts[axis]! + at;
     }
     places[v] = place;
@@ -91,8 +93,17 @@ function boxOf(positions: Float32Array): Pick<SurfaceChunk, 'min' | 'max'> {
   return { min, max };
 }
 
-/** From the world to samples. */
-function inverseOf({ origin, spacing, direction }: StreamInfo): (point: number[]) => number[] {
+/** On each axis, what x, y and z of a point are multiplied by, and what is added. */
+type Rows = readonly (readonly [number, number, number, number])[];
+
+/** From points in a frame to samples. */
+function samplesOf({ origin, spacing, direction }: StreamInfo, frame: Frame): Rows {
+  if (frame === 'grid')
+    return [
+      [1, 0, 0, 0],
+      [0, 1, 0, 0],
+      [0, 0, 1, 0],
+    ];
   const at = (row: number, column: number) => direction[3 * (row % 3) + (column % 3)]!;
   // The cofactor of an element, without a sign: rows and columns go round.
   const cofactor = (row: number, column: number) =>
@@ -102,10 +113,9 @@ function inverseOf({ origin, spacing, direction }: StreamInfo): (point: number[]
     (sum, column) => sum + at(0, column) * cofactor(0, column),
     0,
   );
-  return (point) =>
-    [0, 1, 2].map(
-      (axis) =>
-        point.reduce((sum, x, row) => sum + cofactor(row, axis) * (x - origin[row]!), 0) /
-        (determinant * spacing[axis]!),
-    );
+  return [0, 1, 2].map((axis) => {
+    const of = (row: number) => cofactor(row, axis) / (determinant * spacing[axis]!);
+    const start = -(of(0) * origin[0] + of(1) * origin[1] + of(2) * origin[2]);
+    return [of(0), of(1), of(2), start];
+  });
 }

@@ -3,9 +3,9 @@ import type { SurfaceOptions } from '../api/surface.js';
 import type { WasmSource } from '../codec/load-module.js';
 import type { copyOf } from '../codec/mesh-part.js';
 import type { ShareNumber } from '../codec/stream-decoder.js';
+import type { WholeSurface } from '../codec/surface-chunks.js';
 import type { ByteRange } from '../input/byte-ranges.js';
 import type { Piece } from '../input/pieces.js';
-import type { WholeSurface } from '../codec/surface-chunks.js';
 
 export interface OpenOptions {
   readonly wasm: Exclude<WasmSource, URL> | WebAssembly.Module | undefined;
