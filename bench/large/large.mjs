@@ -1,12 +1,14 @@
 // `npm run bench -- --large [--data DIR]`: volumes of up to 512³ samples: times and memory with one
-// and two threads, and the bytes that an eighth takes. Tables are written to bench/out/large/.
+// and two threads, and the bytes that an eighth takes; and one surface in boxes of up to 1024³.
+// Tables are written to bench/out/large/.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fixed, table } from '../output/markdown.mjs';
-import { writeMaterials, writeTiled } from './volumes.mjs';
+import { writeBall, writeMaterials, writeTiled } from './volumes.mjs';
 
 const SIDES = [128, 256, 512];
+const BOXES = [128, 256, 512, 1024];
 const HEAD = 'cthead.nrrd';
 
 /** Runs the command and returns what it prints as JSON. */
@@ -31,7 +33,8 @@ function measure(command, folder, { name, path, isovalue }) {
   const info = run(command, 'info', stream);
   const region = run(
     command,
-    ...['decode', stream, mesh, '--frame', 'grid', '--region', eighth(info.size)],
+    ...['decode', stream, mesh, '--frame', 'grid', '--threads', '2'],
+    ...['--region', eighth(info.size)],
   );
   for (const file of [stream, mesh, path]) rmSync(file);
   const seconds = (report, work) =>
@@ -46,6 +49,29 @@ function measure(command, folder, { name, path, isovalue }) {
     decodeMemory: decoded.map(({ peakMemory }) => peakMemory),
     region: region.bytes / info.bytes,
     regionTime: seconds(region, 'decode'),
+  };
+}
+
+/** What it costs to decode a surface that does not grow with its box. */
+function measureBox(command, folder, n) {
+  const path = join(folder, 'volume.nrrd');
+  const stream = join(folder, 'large.isostar');
+  const mesh = join(folder, 'large.stl');
+  writeBall(path, n);
+  run(command, 'encode', path, stream, '--iso', '128.5', '--chunk', '128');
+  const runs = Array.from({ length: 5 }, () =>
+    run(command, 'decode', stream, mesh, '--frame', 'grid', '--threads', '1'),
+  );
+  const { bytes, vertices } = run(command, 'info', stream);
+  for (const file of [stream, mesh, path]) rmSync(file);
+  const best = (work) => Math.min(...runs.map(({ milliseconds }) => milliseconds[work]));
+  return {
+    n,
+    bytes,
+    vertices,
+    decode: best('decode'),
+    polygonize: best('polygonize'),
+    memory: Math.min(...runs.map(({ peakMemory }) => peakMemory)),
   };
 }
 
@@ -64,6 +90,9 @@ export async function large({ build, options, out }) {
     writeTiled(path, head, [2, 2, 4]);
     results.push(measure(command, folder, { name: 'CT head, 2 × 2 × 4', path, isovalue: '500.5' }));
   }
+  const boxes = BOXES.filter((n) => !options.quick || n < 512).map((n) =>
+    measureBox(command, folder, n),
+  );
   const megabytes = (bytes) => fixed(bytes / 1e6, 0);
   const both = (values, digits) => values.map((value) => fixed(value, digits)).join(', ');
   const text = table(results, [
@@ -75,9 +104,17 @@ export async function large({ build, options, out }) {
     ['MB', (row) => row.encodeMemory.map(megabytes).join(', ')],
     ['decode and polygonize, s', (row) => both(row.decode, 2)],
     ['MB', (row) => row.decodeMemory.map(megabytes).join(', ')],
-    ['an eighth: share of bytes', (row) => fixed(row.region, 3)],
-    ['s', (row) => fixed(row.regionTime, 2)],
+    ['an eighth: part of the bytes', (row) => fixed(row.region, 3)],
+    ['s, 2 threads', (row) => fixed(row.regionTime, 2)],
   ]);
-  writeFileSync(join(folder, 'large.md'), text);
-  console.log(text);
+  const boxText = table(boxes, [
+    ['box', (row) => `${row.n}³`],
+    ['vertices', (row) => row.vertices],
+    ['kB', (row) => fixed(row.bytes / 1e3, 1)],
+    ['decode, ms', (row) => fixed(row.decode, 0)],
+    ['polygonize, ms', (row) => fixed(row.polygonize, 0)],
+    ['MB', (row) => megabytes(row.memory)],
+  ]);
+  writeFileSync(join(folder, 'large.md'), `${text}\n${boxText}`);
+  console.log(`${text}\n${boxText}`);
 }

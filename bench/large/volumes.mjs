@@ -1,5 +1,5 @@
 // Volumes of any size, made by a program, as NRRD files.
-import { readFileSync, writeFileSync } from 'node:fs';
+import { closeSync, openSync, readFileSync, writeFileSync, writeSync } from 'node:fs';
 import { gunzipSync } from 'node:zlib';
 
 /** Values in 0 … 1 that look random, the same on every machine. */
@@ -34,8 +34,8 @@ function materials(n) {
   return samples;
 }
 
-function write(path, type, sizes, spacings, samples) {
-  const header = [
+function header(type, sizes, spacings) {
+  const lines = [
     'NRRD0004',
     `type: ${type}`,
     `dimension: ${sizes.length}`,
@@ -44,7 +44,29 @@ function write(path, type, sizes, spacings, samples) {
     'endian: little',
     'encoding: raw',
   ];
-  writeFileSync(path, Buffer.concat([Buffer.from(`${header.join('\n')}\n\n`), samples]));
+  return Buffer.from(`${lines.join('\n')}\n\n`);
+}
+
+function write(path, type, sizes, spacings, samples) {
+  writeFileSync(path, Buffer.concat([header(type, sizes, spacings), samples]));
+}
+
+/** Writes a ball with a radius of 60 samples in the middle of n³; its surface is at 128.5. */
+export function writeBall(path, n) {
+  const centre = (n - 1) / 2;
+  const file = openSync(path, 'w');
+  writeSync(file, header('uint8', [n, n, n], [1, 1, 1]));
+  const slice = Buffer.alloc(n * n);
+  for (let z = 0; z < n; z++) {
+    for (let y = 0, at = 0; y < n; y++) {
+      for (let x = 0; x < n; x++, at++) {
+        const r = Math.hypot(x - centre, y - centre, z - centre);
+        slice[at] = Math.max(0, Math.min(255, 128 + 20 * (60 - r)));
+      }
+    }
+    writeSync(file, slice);
+  }
+  closeSync(file);
 }
 
 /** Writes materials of n³ samples; their surface is at 100.5. */
@@ -56,9 +78,9 @@ export function writeMaterials(path, n) {
 export function writeTiled(path, source, times) {
   const file = readFileSync(source);
   const end = file.indexOf('\n\n');
-  const header = file.toString('latin1', 0, end);
+  const text = file.toString('latin1', 0, end);
   const numbers = (field) =>
-    new RegExp(`^${field}: (.*)$`, 'm').exec(header)[1].split(' ').map(Number);
+    new RegExp(`^${field}: (.*)$`, 'm').exec(text)[1].split(' ').map(Number);
   const [x, y, z] = numbers('sizes');
   const samples = gunzipSync(file.subarray(end + 2));
   const row = 2 * x;

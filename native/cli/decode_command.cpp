@@ -59,11 +59,15 @@ size_t prefixLength(const Arguments& arguments, std::span<const std::byte> strea
   return endOfIsovalue(info, arguments.options.isovalue.value_or(info.isovalues[0]), stream.size());
 }
 
-/// Warns of a file that ends early, after `held` bytes.
+/// Warns of a file that ends early: it holds `held` bytes.
 void warnOfMissingBytes(const Arguments& arguments, const Decoder& decoder, uint64_t held) {
-  warn(text("%s ends early, after %llu bytes; the surface is level %d of %d",
-            arguments.input.c_str(), static_cast<unsigned long long>(held), decoder.level(),
-            decoder.levels() - 1));
+  const std::string surface = decoder.level() < 0
+                                  ? "they hold no surface yet"
+                                  : text("the surface is of level %d, the finest is %d",
+                                         decoder.level(), decoder.levels() - 1);
+  warn(text("%s ends early: it has %llu of %llu bytes; %s", arguments.input.c_str(),
+            static_cast<unsigned long long>(held),
+            static_cast<unsigned long long>(decoder.info().bytes), surface.c_str()));
 }
 
 /// Warns of a prefix that ends inside a layer which is damaged: its first bytes cannot be checked,
@@ -108,17 +112,20 @@ std::string decodedLine(const Arguments& arguments, const WorkReport& report,
       decoder.info().dimension == 2
           ? ""
           : text(" %llu triangles,", static_cast<unsigned long long>(report.triangles));
-  return text("%s %s -> %s %s, %llu vertices,%s RMS error %.3g grid steps", arguments.input.c_str(),
+  const std::string error = decoder.level() < 0
+                                ? "no surface yet"
+                                : text("RMS error %.3g grid steps", decoder.rmsError());
+  return text("%s %s -> %s %s, %llu vertices,%s %s", arguments.input.c_str(),
               readableBytes(report.bytes).c_str(), arguments.output.c_str(),
               ignored ? "" : readableBytes(written).c_str(),
-              static_cast<unsigned long long>(report.vertices), triangles.c_str(),
-              decoder.rmsError());
+              static_cast<unsigned long long>(report.vertices), triangles.c_str(), error.c_str());
 }
 
 void writeSurface(const Arguments& arguments, const Decoder& decoder, WorkReport& report) {
   const Stopwatch polygonizing;
   MeshOptions options = arguments.options;
   options.time = arguments.time.value_or(0);
+  options.normals = storesNormals(arguments.output);
   const Mesh mesh = surfaceOf(decoder, options, arguments.input);
   report.polygonize = polygonizing.milliseconds();
   report.peakMemory = peakMemory();
@@ -168,6 +175,8 @@ Decoder decodePart(const Arguments& arguments, WorkReport& report) {
   const Stopwatch decoding;
   Decoder decoder = decodeRegion(arguments.input, region, report.bytes, report.io);
   report.codec = decoding.milliseconds() - report.io;
+  if (decoder.info().chunkSide == 0)
+    warn(text("--region has no effect: %s is not in chunks", arguments.input.c_str()));
   if (decoder.error() == Error::Truncated)
     warnOfMissingBytes(arguments, decoder, fileSize(arguments.input));
   return decoder;
@@ -211,16 +220,16 @@ void addDecode(CLI::App& app) {
       ->required();
   auto* bytes = command.add_option("--bytes", arguments->bytes, "Decode the first N bytes only")
                     ->type_name("N")
-                    ->check(CLI::NonNegativeNumber.description(""));
+                    ->check(kWhole);
   auto* level = command
                     .add_option("--level", arguments->level,
                                 "Stop before the first layer above level L, 0 being the coarsest")
                     ->type_name("L")
-                    ->check(CLI::NonNegativeNumber.description(""))
+                    ->check(kWhole)
                     ->excludes(bytes);
   addRegion(command, arguments->region,
-            "Decode a box of a stream in chunks, in the chosen frame, and the rest coarsely; reads "
-            "only what that takes")
+            "Decode a box, in the frame of --frame, at full precision and the rest coarsely; reads "
+            "only what that takes. A stream that is not in chunks is decoded whole")
       ->excludes(bytes)
       ->excludes(level);
   command

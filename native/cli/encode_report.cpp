@@ -19,20 +19,28 @@ double boundInUnits(const EncodeArguments& arguments, const Placement& placement
   return arguments.units == Units::World ? bound * smallestSpacing(placement) : bound;
 }
 
+const char* unitOf(const EncodeArguments& arguments) {
+  return arguments.units == Units::World ? "world units" : "grid steps";
+}
+
 void warnOfEmptySurface(const std::vector<float>& samples, double isovalue) {
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
   warn(text("the surface is empty: samples range from %g to %g, the isovalue is %g", *low, *high,
             isovalue));
 }
 
-void warnOfFineBound(const LoadedVolume& volume, const EncodeOptions& options) {
+void warnOfFineBound(const LoadedVolume& volume, const EncodeArguments& arguments,
+                     const Placement& placement) {
+  const EncodeOptions& options = arguments.options;
   if (options.lossless) return;
   const double precision = precisionOf(volume.samples, volume.size[0], options.isovalue);
   if (options.maxError >= precision) return;
   warn(
-      text("the bound of %.2g grid steps is finer than the data: the rounding of samples moves the "
-           "surface by %.2g; --lossless keeps the samples' full precision",
-           options.maxError, precision));
+      text("the bound of %.2g %s is finer than the data: the rounding of the samples has moved "
+           "the surface by %.2g; a larger --max-error makes a smaller stream, --lossless keeps "
+           "the samples as they are",
+           boundInUnits(arguments, placement), unitOf(arguments),
+           boundInUnits(arguments, placement) * precision / options.maxError));
 }
 
 /// Counts the surface of the source; of a sequence, that of the first frame.
@@ -56,9 +64,9 @@ std::string encodedLine(const EncodeArguments& arguments, const StreamInfo& info
   const std::string source =
       arguments.source.volume.path + (sourceBytes ? " " + readableBytes(sourceBytes) : "");
   const std::string error =
-      info.lossless ? "lossless"
-                    : text("error at most %g %s", boundInUnits(arguments, info.placement),
-                           arguments.units == Units::World ? "world units" : "grid steps");
+      info.lossless
+          ? "lossless"
+          : text("error at most %g %s", boundInUnits(arguments, info.placement), unitOf(arguments));
   return text("%s -> %s %s, %llu vertices, %s", source.c_str(), arguments.output.c_str(),
               readableBytes(info.bytes).c_str(), static_cast<unsigned long long>(info.vertices),
               error.c_str());
@@ -70,7 +78,7 @@ void warnOfResult(const EncodeArguments& arguments, const LoadedVolume& volume,
   if (info.vertices == 0)
     warnOfEmptySurface(volume.samples, options.isovalue);
   else
-    warnOfFineBound(volume, options);
+    warnOfFineBound(volume, arguments, info.placement);
   if (options.adaptive && options.preserveTopology)
     warn("--adaptive has no effect: streams with --preserve-topology have no coarse simplices");
   if (const std::string over = overLimits(info, Limits{}); !over.empty())

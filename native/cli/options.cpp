@@ -95,6 +95,14 @@ CLI::Validator numberCheck(bool (*good)(double), const char* wanted) {
 const CLI::Validator kFinite = numberCheck([](double x) { return std::isfinite(x); }, "finite");
 const CLI::Validator kPositive =
     numberCheck([](double x) { return std::isfinite(x) && x > 0; }, "positive");
+const CLI::Validator kWhole(
+    [](std::string& word) {
+      const bool whole = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
+        return std::isdigit(c) != 0;
+      });
+      return whole ? std::string() : text("'%s' is not a whole number from 0 on", word.c_str());
+    },
+    "");
 
 CLI::Option* addPolygonizer(CLI::App& app, Polygonizer& value, const std::string& help) {
   static const Names<Polygonizer> kNames = {{"cubes", Polygonizer::Cubes},

@@ -35,5 +35,7 @@ CLI::Option* addThreads(CLI::App&);
 /// Rejects "nan" and "inf", which the parser accepts as numbers.
 extern const CLI::Validator kFinite;
 extern const CLI::Validator kPositive;
+/// A whole number from 0 on.
+extern const CLI::Validator kWhole;
 
 }  // namespace isostar::native

@@ -15,12 +15,13 @@ namespace {
 struct Format {
   void (*write)(const Mesh&, OutputFile&);
   Mesh (*read)(std::span<const std::byte>, const std::string&);
+  bool hasNormals = true;  // of vertices
 };
 
 const Format* formatOf(const std::string& path) {
   static const std::map<std::string, Format> kFormats = {{".ply", {writePly, readPly}},
                                                          {".obj", {writeObj, readObj}},
-                                                         {".stl", {writeStl, readStl}},
+                                                         {".stl", {writeStl, readStl, false}},
                                                          {".glb", {writeGlb, readGlb}}};
   const auto found = kFormats.find(extensionOf(path));
   return found == kFormats.end() ? nullptr : &found->second;
@@ -43,6 +44,10 @@ void requireValid(const Mesh& mesh, const std::string& path) {
 
 bool isMeshFile(const std::string& path) {
   return formatOf(path) != nullptr;
+}
+
+bool storesNormals(const std::string& path) {
+  return formatOf(path)->hasNormals;
 }
 
 void writeMesh(const Mesh& mesh, const std::string& path) {

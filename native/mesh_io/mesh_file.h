@@ -9,6 +9,9 @@ namespace isostar::native {
 /// Whether the extension is one that readMesh() and writeMesh() support: .ply .obj .stl .glb.
 bool isMeshFile(const std::string& path);
 
+/// Whether a mesh file of this extension has normals of vertices.
+bool storesNormals(const std::string& path);
+
 /// The file is written completely or not at all. Normals are written if the mesh has them and the
 /// format stores them.
 void writeMesh(const Mesh&, const std::string& path);

@@ -40,10 +40,12 @@ LoadedVolume readByExtension(const std::string& path) {
   fileSize(path);
   const auto reader = kReaders.find(extensionOf(path));
   if (reader == kReaders.end())
-    throw Failure(path,
-                  "has an unknown extension; known are .nrrd .nhdr .mha .mhd .nii .nii.gz .hdr "
-                  ".tif .png .jpg .dcm .vti .vtk, a folder of DICOM or TIFF slices, and raw "
-                  "samples with --size and --type");
+    throw Failure(
+        path,
+        "has an unknown extension; known are .nrrd .nhdr .mha .mhd .nii .hdr .img, the "
+        "last three also with .gz, .tif .tiff .png .jpg .jpeg .dcm .ima .vti .vtk, meshes "
+        "as .ply .obj .stl .glb, tetrahedra as .vtu .vtk, a folder of DICOM or TIFF "
+        "slices, and raw samples with --size and --type");
   return reader->second(path);
 }
 

@@ -24,7 +24,7 @@ TEST(Damage, aChangedBitIsDetected) {
 /// Of a stream in chunks.
 bool hasRightSections(std::span<const std::byte> bytes, std::size_t start, const Header& header) {
   Index index;
-  if (readIndex(bytes, start, header, index) != Error::None) return false;
+  if (readIndex(bytes, start, header, UINT64_MAX, index) != Error::None) return false;
   Bytes mended(bytes.begin(), bytes.end());
   mendIndex(mended, start, header);
   return std::equal(bytes.begin(), bytes.end(), mended.begin());

@@ -37,7 +37,7 @@ inline void mendIndex(std::vector<std::byte>& stream, std::size_t at, const Head
   const std::span<const std::byte> all(stream);
   ByteReader in(all.subspan(at));
   std::vector<LayerHead> heads;
-  if (readEntries(in, header, heads) != Error::None) return;
+  if (readEntries(in, header, UINT64_MAX, heads) != Error::None) return;
   at += in.position();
   if (stream.size() - at < kSum) return;
   Crc32 crc;

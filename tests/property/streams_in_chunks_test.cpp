@@ -2,6 +2,7 @@
 #include <numeric>
 #include <thread>
 
+#include "container/stream.h"
 #include "exact_crossings.h"
 #include "surface_checks.h"
 
@@ -104,6 +105,41 @@ TEST(Chunks, prefixesShowSoundClosedSurfaces) {
       const Mesh mesh = meshOf(decoder, {Polygonizer::Tetrahedra, Frame::Grid, true});
       expectSound(mesh);
       expectClosed(mesh, field.size);
+    }
+  }
+}
+
+/// The lengths of prefixes that end with a chunk of signs or geometry, and of those that end within
+/// the next one and so hold no more whole chunks.
+std::vector<std::array<std::size_t, 2>> cutsAfterChunks(const Bytes& bytes) {
+  Header header;
+  std::size_t start = 0;
+  EXPECT_EQ(read(bytes, header, start), Error::None);
+  Index index;
+  EXPECT_EQ(readIndex(bytes, start, header, UINT64_MAX, index), Error::None);
+  std::vector<std::array<std::size_t, 2>> cuts;
+  auto at = static_cast<std::size_t>(index.end);
+  for (const LayerHead& head : index.heads) {
+    bool isFirst = true;
+    for (const uint64_t section : head.sections) {
+      const std::size_t sum = checksumBytes(section);
+      if (section > 1 && head.sections.size() > 1 && !isFirst) cuts.push_back({at, at + sum + 1});
+      isFirst = isFirst && section == 0;
+      at += sum + static_cast<std::size_t>(section);
+    }
+  }
+  return cuts;
+}
+
+TEST(Chunks, prefixesThatEndWithAChunkShowTheOthersAsOnTheLevelBefore) {
+  for (const auto& field : fieldsOf({33, 34, 17})) {
+    const Bytes bytes = encoded(field, inChunks(16));
+    for (const auto& [after, within] : cutsAfterChunks(bytes)) {
+      const Decoder one = decoderOf(std::span(bytes).first(after)),
+                    other = decoderOf(std::span(bytes).first(within));
+      ASSERT_EQ(one.level(), other.level());
+      if (one.level() + 1 == one.levels()) break;  // parts of geometry are shown as they arrive
+      EXPECT_EQ(meshOf(one).positions, meshOf(other).positions) << after << described(field);
     }
   }
 }

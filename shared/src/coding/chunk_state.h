@@ -27,15 +27,22 @@ class ChunkState {
                             chunk.indicesIn(coarser.table(), BrickTable<D>(chunk.coarser()), 2)))) {
   }
 
+  /// Of a level whose signs are known; to go on with beginGeometry().
+  ISOSTAR_COLD ChunkState(const Chunk<D>& chunk, const Signs<D>& level)
+      : indices_(chunk.indicesIn(level.table(), BrickTable<D>(chunk.lattice), 1)),
+        halo_(chunk.halo()),
+        signs_(chunk.lattice) {}
+
   /// By brick index of the chunk: the index in the whole level's table.
   [[nodiscard]] const std::vector<std::size_t>& indices() const { return indices_; }
   /// By brick index: 1 for bricks of the halo.
   [[nodiscard]] const std::vector<uint8_t>& halo() const { return halo_; }
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
-  /// Bytes in use, beside models.
+  /// Bytes in use.
   [[nodiscard]] uint64_t memory() const {
-    return sizeof(ChunkState) + signs_.memory() + halo_.size() * (sizeof(std::size_t) + 2) +
-           geometry_.scalars.memory() + geometry_.displacements.memory();
+    return sizeof(ChunkState) + geometry_.magnitudes.memory() + signs_.memory() +
+           halo_.size() * (sizeof(std::size_t) + 2) + geometry_.scalars.memory() +
+           geometry_.displacements.memory();
   }
 
   /// Does the surface of the coarser level touch the chunk? Then its signs are coded.
@@ -94,7 +101,13 @@ class ChunkState {
     const auto exponents = pass.kind == LayerKind::Exponents ? std::make_unique<ExponentCoder<D>>()
                                                              : std::unique_ptr<ExponentCoder<D>>();
     geometry_.codePass(exchange, signs_, pass, filter, fitted, exponents.get());
-    if (pass.kind == LayerKind::Exponents) assumeFarEnds(pass.members == Members::DiagonalEnds);
+    if (pass.kind == LayerKind::Exponents && exchange.charge(memoryToAssume()))
+      assumeFarEnds(pass.members == Members::DiagonalEnds);
+  }
+  /// Bytes that joinGeometry() takes in the level's tables, at most.
+  [[nodiscard]] uint64_t memoryToJoin() const {
+    return (2 * geometry_.scalars.brickCount() + geometry_.displacements.brickCount()) *
+           Scalars<D>::kBytesToRefer;
   }
   /// Adds the geometry that the chunk owns to that of its level. Later passes change it there, too.
   ISOSTAR_COLD void joinGeometry(GeometryState<D>& level) {
@@ -122,11 +135,37 @@ class ChunkState {
     const auto& table = signs_.table();
     for (std::size_t i = 0; i < halo_.size(); ++i) {
       if (halo_[i] != 0 || !geometry_.scalars.has(i) || !besideHalo(i)) continue;
-      for (std::size_t v = 0; v < Scalars<D>::kVertices; ++v) {
-        if (geometry_.scalars.at(i).knows(v))
-          assumeAround(vertexOf<D>(table.brick(i), v), i, v, diagonals);
+      VertexSet<D> known = geometry_.scalars.at(i).members[0];
+      for (std::size_t w = 0; w < known.words.size(); ++w)
+        known.words[w] |= geometry_.scalars.at(i).members[1].words[w];
+      const auto brick = table.brick(i);
+      known.forEach([&](std::size_t r, int x) {
+        const std::size_t v = r * kBrickSide + static_cast<std::size_t>(x);
+        if (geometry_.scalars.at(i).knows(v) && isOnSide(v))
+          assumeAround(vertexOf<D>(brick, v), i, v, diagonals);
+      });
+    }
+  }
+  /// Bytes of scalars in use then, at most.
+  [[nodiscard]] uint64_t memoryToAssume() const {
+    const auto& table = signs_.table();
+    std::vector<uint8_t> made(halo_.size());
+    for (std::size_t i = 0; i < halo_.size(); ++i) {
+      if (halo_[i] != 0 || !geometry_.scalars.has(i) || !besideHalo(i)) continue;
+      for (const std::size_t other : table.around(table.brick(i))) {
+        if (other != BrickTable<D>::kNowhere && halo_[other] != 0 && !geometry_.scalars.has(other))
+          made[other] = 1;
       }
     }
+    return geometry_.scalars.memory() +
+           Scalars<D>::memoryOf(0, static_cast<uint64_t>(std::count(made.begin(), made.end(), 1))) +
+           made.size();
+  }
+  /// Has the vertex of that number neighbours in other bricks?
+  [[nodiscard]] static bool isOnSide(std::size_t number) {
+    bool on = false;
+    for (int a = 0; a < D; ++a, number /= kBrickSide) on = on || (number + 1) % kBrickSide < 2;
+    return on;
   }
   [[nodiscard]] ISOSTAR_COLD bool besideHalo(std::size_t brickIndex) const {
     const auto& table = signs_.table();
@@ -138,11 +177,29 @@ class ChunkState {
   ISOSTAR_COLD void assumeAround(const Coordinates<D>& v, std::size_t brickIndex,
                                  std::size_t number, bool diagonals) {
     const int32_t value = geometry_.scalars.at(brickIndex).value[number];
+    const auto assume = [&](const Coordinates<D>& other) {
+      const std::size_t brick = signs_.table().brickIndexOf(other);
+      if (halo_[brick] == 0 || signs_.at(other) == (value > 0)) return;
+      auto& theirs = geometry_.scalars.writable(brick).value[numberOf<D>(other)];
+      theirs = theirs == Scalars<D>::kUnknown ? -value : between(theirs, value);
+    };
     Coordinates<D> low, high;
     for (int a = 0; a < D; ++a) {
       low[a] = std::max(v[a] - 1, 0);
       high[a] = std::min(v[a] + 1, signs_.lattice().last[a]);
     }
+    // Vertices assumed earlier count: the order is that of coordinates, with diagonals and without.
+    for (int a = D - 1; a >= 0 && !diagonals; --a) {
+      Coordinates<D> other = v;
+      other[a] = low[a];
+      if (v[a] % kBrickSide == 0 && other != v) assume(other);
+    }
+    for (int a = 0; a < D && !diagonals; ++a) {
+      Coordinates<D> other = v;
+      other[a] = high[a];
+      if ((v[a] + 1) % kBrickSide == 0 && other != v) assume(other);
+    }
+    if (!diagonals) return;
     forEachBetween<D>(low, high, [&](const Coordinates<D>& other) {
       int axes = 0, odd = 0;
       for (int a = 0; a < D; ++a) {
@@ -150,12 +207,7 @@ class ChunkState {
         odd += other[a] != v[a] ? v[a] & 1 : 0;
       }
       // A diagonal's ends are even on all its axes, or odd on all.
-      const bool isDiagonal = diagonals && (odd == 0 || odd == axes);
-      if (axes == 0 || (axes > 1 && !isDiagonal)) return;
-      const std::size_t brick = signs_.table().brickIndexOf(other);
-      if (halo_[brick] == 0 || signs_.at(other) == (value > 0)) return;
-      auto& theirs = geometry_.scalars.writable(brick).value[numberOf<D>(other)];
-      theirs = theirs == Scalars<D>::kUnknown ? -value : between(theirs, value);
+      if (axes == 1 || (axes > 1 && (odd == 0 || odd == axes))) assume(other);
     });
   }
   /// A value of `theirs`' sign, about as far from one size as from the other.

@@ -207,9 +207,8 @@ struct CodecState : GeometryState<D> {
   /// index.
   [[nodiscard]] uint64_t memoryToRefine() const {
     if (partial) return memoryBesideScalars() + partial->mesh.memoryToFill(level + 1);
-    const BrickTable<D> finer(signs.lattice().finer());
-    return memoryBesideScalars() + finer.total() +
-           Signs<D>::memoryToFill(finer.total(), mostRefinedBricks(signs, finer));
+    return memoryBesideScalars() + BrickTable<D>(signs.lattice().finer()).total() +
+           memoryOfRefined(signs);
   }
 
   const Header& header;

@@ -76,6 +76,8 @@ class ByteWriter {
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> in) : in_(in) {}
+  /// How many bytes have not been read.
+  [[nodiscard]] std::size_t left() const { return in_.size() - at_; }
   uint32_t u8() {
     if (at_ < in_.size()) return static_cast<uint32_t>(in_[at_++]);
     overrun_ = true;

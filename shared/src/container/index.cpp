@@ -15,8 +15,9 @@ bool hasFilter(LayerKind kind, uint64_t chunks) {
   return kind == LayerKind::Refinement && chunks > 1;
 }
 
-/// Corrupt if the entry does not fit the header; otherwise `in` may have come to its end.
-Error readHead(ByteReader& in, const Header& header, LayerHead& head) {
+/// OverLimit if it has more than `most` sections. Corrupt if the entry does not fit the header;
+/// otherwise `in` may have come to its end.
+Error readHead(ByteReader& in, const Header& header, uint64_t most, LayerHead& head) {
   const uint32_t first = in.u8(), error = in.u8();
   if (in.overrun()) return Error::Truncated;
   if (!readFields(first, error, header, head)) return Error::Corrupt;
@@ -24,6 +25,8 @@ Error readHead(ByteReader& in, const Header& header, LayerHead& head) {
   if (chunks > kMostSections) return Error::Corrupt;
   if (hasFilter(head.kind, chunks)) head.filter = static_cast<uint8_t>(in.u8());
   if (head.filter > kMostFilter) return Error::Corrupt;
+  if (chunks > most) return Error::OverLimit;
+  head.sections.reserve(static_cast<std::size_t>(std::min<uint64_t>(chunks, in.left())));
   for (uint64_t chunk = 0; chunk < chunks && !in.overrun(); ++chunk) {
     const uint64_t length = in.varint();
     if (in.malformed() || length > kLongest) return Error::Corrupt;
@@ -87,22 +90,28 @@ void append(std::vector<std::byte>& out, const Header& header, std::vector<Layer
   }
 }
 
-Error readEntries(ByteReader& in, const Header& header, std::vector<LayerHead>& out) {
+Error readEntries(ByteReader& in, const Header& header, uint64_t memory,
+                  std::vector<LayerHead>& out) {
   std::vector<LayerHead> heads(in.u8());
+  uint64_t most = memory / kBytesPerSection;
   for (LayerHead& head : heads) {
-    if (const Error error = readHead(in, header, head); error != Error::None) return error;
+    if (const Error error = readHead(in, header, most, head); error != Error::None) return error;
+    most -= head.sections.size();
   }
   out = std::move(heads);
   return in.overrun() ? Error::Truncated : Error::None;
 }
 
 Error readIndex(std::span<const std::byte> stream, std::size_t start, const Header& header,
-                Index& out) {
+                uint64_t memory, Index& out) {
   ByteReader r(stream.subspan(start));
   std::vector<LayerHead> heads;
-  if (const Error error = readEntries(r, header, heads); error != Error::None) return error;
+  if (const Error error = readEntries(r, header, memory, heads); error != Error::None) return error;
   uint64_t bytes = 0;
-  for (const LayerHead& head : heads) bytes += head.bytes;
+  for (const LayerHead& head : heads) {
+    if (head.bytes > header.bytes - bytes) return Error::Corrupt;
+    bytes += head.bytes;
+  }
   const std::size_t length = r.position();
   const uint32_t sum = r.u32();
   if (r.overrun()) return Error::Truncated;

@@ -52,11 +52,15 @@ struct Index {
   uint32_t identity = 0;  // what the checksums of this stream's sections start with
   std::size_t end = 0;    // where in the stream the first section begins
 };
-/// Reads the entries of an index, up to its checksum.
-[[nodiscard]] Error readEntries(ByteReader& in, const Header& header, std::vector<LayerHead>& out);
-/// Reads the index that begins at `start`, behind the header. Truncated, Corrupt: as above.
+/// Of a section in an index that has been read; a layer's list is copied while it is decoded.
+inline constexpr uint64_t kBytesPerSection = 2 * sizeof(uint64_t);
+/// Reads the entries of an index, up to its checksum. OverLimit if their lists take more than
+/// `memory` bytes.
+[[nodiscard]] Error readEntries(ByteReader& in, const Header& header, uint64_t memory,
+                                std::vector<LayerHead>& out);
+/// Reads the index that begins at `start`, behind the header. Errors: as above.
 [[nodiscard]] Error readIndex(std::span<const std::byte> stream, std::size_t start,
-                              const Header& header, Index& out);
+                              const Header& header, uint64_t memory, Index& out);
 
 /// The length of a section's checksum, which precedes it.
 [[nodiscard]] std::size_t checksumBytes(uint64_t section);

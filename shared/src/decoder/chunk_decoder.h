@@ -56,6 +56,9 @@ class ChunkDecoder {
   /// of a level that have not arrived, or are not wanted, are shown as the level before.
   Outcome decode(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                  CodecState<D>& whole, Budget& budget) {
+    const uint64_t lists = kBytesPerSection * head.sections.size();
+    if (lists > budget.memory) return {Error::OverLimit};
+    budget.memory -= lists;
     return head.kind == LayerKind::Refinement ? refine(head, sections, torn, whole, budget)
                                               : pass(head, sections, torn, whole, budget);
   }
@@ -67,37 +70,46 @@ class ChunkDecoder {
   /// A section's result.
   struct Piece {
     Error error = Error::None;
-    uint64_t work = 0;
+    uint64_t work = 0, memory = 0;  // memory: what is kept, beside what was counted before
   };
+  /// In lists, while a layer is decoded: of the sections, of what is read of them, and of chunks.
+  static constexpr uint64_t kBytesPerSection =
+      2 * sizeof(Reconstruction::Section) + sizeof(std::optional<LayerInput<D>>) + sizeof(Piece) +
+      sizeof(std::unique_ptr<ChunkState<D>>) + 3;
 
   ISOSTAR_COLD Outcome refine(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                               CodecState<D>& whole, Budget& budget) {
-    // Of a torn level only whole chunks count.
-    const auto decodes = [&](std::size_t i) {
-      return sections[i].isWanted && sections[i].isOwn && !isTorn(head, sections, i);
-    };
-    std::size_t count = 0, foreign = 0;
+    // Of a torn level the last chunks have no sections.
+    std::vector<uint8_t> here(head.sections.size()), loud(head.sections.size());
+    bool isWhole = sections.size() == head.sections.size();
     for (std::size_t i = 0; i < sections.size(); ++i) {
-      count += decodes(i) ? 1 : 0;
-      foreign += sections[i].isWanted && !sections[i].isOwn ? 1 : 0;
+      // Only whole chunks count.
+      const bool wanted = sections[i].isWanted && !isTorn(head, sections, i);
+      isWhole = isWhole && wanted;
+      here[i] = wanted && sections[i].isOwn ? 1 : 0;
+      loud[i] =
+          wanted && (!sections[i].bytes.empty() || !ChunkedLevel<D>::uniform(whole, i)) ? 1 : 0;
     }
-    if (torn && (count == 0 || isShare_)) return {};
-    const uint64_t needed = memoryToRefine(whole, count);
+    if (torn && (isShare_ || std::find(here.begin(), here.end(), 1) == here.end())) return {};
+    const uint64_t needed =
+        memoryToRefine(whole, countBeside(loud, whole.signs.lattice().finer(), whole.header));
     if (needed > budget.memory) return {Error::OverLimit};
     budget.memory -= needed;
+    const uint64_t tables = ChunkedLevel<D>::memoryOf(whole, 1);
     typename ChunkedLevel<D>::Chunks chunks(head.sections.size());
     const Error error = run(sections, budget, [&](std::size_t i, const Budget& most) {
-      if (!decodes(i)) return Piece{};
+      if (here[i] == 0 || loud[i] == 0) return Piece{};
       chunks[i] = ChunkedLevel<D>::next(whole, i);
       if (sections[i].bytes.empty()) return emptySection(chunks[i]->hasSigns());
       RefinementCoder<D> coder = whole.refinement;
-      return section(sections[i].bytes, most, false,
-                     [&](auto& exchange) { chunks[i]->codeSigns(exchange, coder); });
+      Piece piece = section(sections[i].bytes, most, false,
+                            [&](auto& exchange) { chunks[i]->codeSigns(exchange, coder); });
+      piece.memory = chunks[i]->memory() - std::min(chunks[i]->memory(), tables);
+      return piece;
     });
     if (error != Error::None) return {error};
     const auto filter = static_cast<SmoothingFilter>(head.filter);
-    auto joined = ChunkedLevel<D>::begin(whole, chunks.size(), count + foreign == chunks.size());
-    ChunkedLevel<D>::join(chunks, joined);
+    auto joined = ChunkedLevel<D>::join(whole, std::move(here), isWhole, chunks);
     if (isShare_) {
       std::vector<uint8_t> expected;
       for (const auto& section : sections)
@@ -131,14 +143,36 @@ class ChunkDecoder {
     const Error error = run(sections, budget, [&](std::size_t i, const Budget& most) {
       if (!sections[i].isOwn) return Piece{};
       if (sections[i].isWanted && sections[i].bytes.empty())
-        return emptySection(chunks[i]->hasGeometry() && !isTorn(head, sections, i));
+        return emptySection(chunks[i] && !isTorn(head, sections, i));
       if (!inputs[i]) return Piece{};
-      return section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
+      if (!chunks[i]) return Piece{Error::Corrupt};
+      const uint64_t before = chunks[i]->memory();
+      Piece piece = section(inputs[i]->coded, most, isTorn(head, sections, i), [&](auto& exchange) {
         chunks[i]->codePass(exchange, inputs[i]->pass, whole.filter, whole.header.fitted);
       });
+      piece.memory = chunks[i]->memory() - before;
+      return piece;
     });
+    uint64_t joined = 0;
+    for (const auto& chunk : chunks) joined += chunk ? chunk->memoryToJoin() : 0;
+    if (joined > budget.memory) return {Error::OverLimit};
     if (coded) level_.finishPass(*coded, !torn, whole);
     return {error, error == Error::None};
+  }
+
+  /// How many chunks of a level are marked, or lie beside one that is: no others can have a
+  /// surface.
+  [[nodiscard]] ISOSTAR_COLD static std::size_t countBeside(const std::vector<uint8_t>& marks,
+                                                            const Lattice<D>& level,
+                                                            const Header& header) {
+    const ChunkGrid<D> grid(level, header.chunkSide);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      bool beside = false;
+      grid.forEachAround(i, [&](std::size_t other) { beside = beside || marks[other] != 0; });
+      count += beside ? 1 : 0;
+    }
+    return count;
   }
 
   /// Only a chunk without a surface has none.
@@ -186,6 +220,7 @@ class ChunkDecoder {
              [&](std::size_t i) { pieces[order[i]] = decodeChunk(order[i], most); });
       for (std::size_t i = first; i < first + together; ++i) {
         budget.decisions -= std::min(pieces[i].work, budget.decisions);
+        budget.memory -= std::min(pieces[i].memory, budget.memory);
         if (pieces[i].error != Error::None) return pieces[i].error;
       }
     }

@@ -43,7 +43,7 @@ class ChunkShares {
     std::vector<int> owners(bytes.size());
     for (int bits = 64; bits >= 0; --bits) {
       for (std::size_t i = 0; i < bytes.size(); ++i) {
-        if (std::bit_width(bytes[i]) != bits) continue;
+        if (static_cast<int>(std::bit_width(bytes[i])) != bits) continue;
         std::size_t least = 0;
         for (std::size_t share = 1; share < sums.size(); ++share)
           least = sums[share] < sums[least] ? share : least;

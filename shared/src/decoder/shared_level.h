@@ -28,7 +28,7 @@ class SharedLevel {
         filter_(filter),
         own_(joined_->signs.table().total()) {
     for (std::size_t i = 0; i < chunks_.size(); ++i) {
-      if (chunks_[i])
+      if (joined_->here[i] != 0)
         numbers_.push_back(i);
       else if (isFirst && expected_[i] == 0)
         unwanted_.push_back(i);
@@ -95,7 +95,9 @@ class SharedLevel {
   }
 
   [[nodiscard]] uint64_t memory() const {
-    return 2 * own_.size() + (joined_ ? joined_->signs.memory() : 0);
+    uint64_t sum = 2 * own_.size() + (joined_ ? joined_->signs.memory() : 0);
+    for (const auto& chunk : chunks_) sum += chunk ? chunk->memory() : 0;
+    return sum;
   }
 
  private:

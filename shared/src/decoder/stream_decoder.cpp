@@ -28,7 +28,7 @@ ISOSTAR_COLD bool StreamDecoder::readHeader() {
   const std::size_t arrived = in.bytes().size();
   if (arrived < nextTry && !finished) return false;
   StreamHeads found;
-  const Error e = found.begin(in.bytes());
+  const Error e = found.begin(in.bytes(), limits.memory);
   nextTry = arrived + arrived / 8 + 1;
   if (e == Error::Truncated && !finished) return false;
   if (e != Error::None) return fail(e);
@@ -43,7 +43,9 @@ ISOSTAR_COLD bool StreamDecoder::readHeader() {
   chooseBytes();
   shown = offset = at = heads->start();
   shares.emplace(heads->header(), heads->indexed(), share);
-  reconstruction = reconstructionOf(heads->header(), limits, runTasks);
+  Limits left = limits;
+  left.memory -= heads->memory();
+  reconstruction = reconstructionOf(heads->header(), left, runTasks);
   if (!reconstruction) return fail(Error::UnsupportedVersion);
   if (shares->areSeveral()) reconstruction->beShare(share.number == 0);
   return true;

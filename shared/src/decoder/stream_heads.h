@@ -11,14 +11,15 @@ namespace isostar {
 /// The heads of a stream's layers, one after the other: in front of each layer, or in the index.
 class StreamHeads {
  public:
-  /// The header, and the index if there is one. Truncated: more bytes are needed.
-  ISOSTAR_COLD Error begin(std::span<const std::byte> stream) {
+  /// The header, and the index if there is one. Truncated: more bytes are needed. OverLimit: the
+  /// index takes more than `memory` bytes.
+  ISOSTAR_COLD Error begin(std::span<const std::byte> stream, uint64_t memory = UINT64_MAX) {
     Header header;
     std::size_t at = 0;
     if (const Error error = read(stream, header, at); error != Error::None) return error;
     Index index;
     if (header.chunkSide != 0) {
-      if (const Error error = readIndex(stream, at, header, index); error != Error::None)
+      if (const Error error = readIndex(stream, at, header, memory, index); error != Error::None)
         return error;
     }
     header_ = std::move(header);
@@ -30,6 +31,12 @@ class StreamHeads {
   [[nodiscard]] const Header& header() const { return header_; }
   /// Of all layers of a stream in chunks.
   [[nodiscard]] std::span<const LayerHead> indexed() const { return index_.heads; }
+  /// Bytes of the index.
+  [[nodiscard]] uint64_t memory() const {
+    uint64_t sections = 0;
+    for (const LayerHead& head : index_.heads) sections += head.sections.size();
+    return sections * kBytesPerSection;
+  }
   [[nodiscard]] uint32_t identity() const { return index_.identity; }
   /// Where the header ends, with the index.
   [[nodiscard]] std::size_t start() const { return header_.chunkSide != 0 ? index_.end : start_; }

@@ -147,7 +147,7 @@ class UniformWriter {
     if (head.kind != LayerKind::Refinement) {
       runAll(options_.runTasks, count, [&](std::size_t n) {
         const std::size_t i = chunkOrder_[n];
-        sections[i] = passSection(*level_.chunks()[i], i, pass);
+        if (level_.chunks()[i]) sections[i] = passSection(*level_.chunks()[i], i, pass);
       });
       level_.finishPass(pass, true, state_);
       return sections;
@@ -156,14 +156,23 @@ class UniformWriter {
     typename ChunkedLevel<D>::Chunks chunks(count);
     runAll(options_.runTasks, count, [&](std::size_t n) {
       const std::size_t i = chunkOrder_[n];
+      if (isQuiet(i, actual)) return;
       chunks[i] = ChunkedLevel<D>::next(state_, i);
       sections[i] = signSection(*chunks[i], actual);
     });
     head.filter = static_cast<uint8_t>(filter_);
-    auto joined = ChunkedLevel<D>::begin(state_, count, true);
-    ChunkedLevel<D>::join(chunks, joined);
+    auto joined = ChunkedLevel<D>::join(state_, std::vector<uint8_t>(count, 1), true, chunks);
     level_.finishLevel(std::move(joined), std::move(chunks), filter_, state_, options_.runTasks);
     return sections;
+  }
+  /// Has a chunk one sign only, as the level before around it?
+  [[nodiscard]] bool isQuiet(std::size_t number, const Signs<D>& actual) const {
+    const auto sign = ChunkedLevel<D>::uniform(state_, number);
+    bool quiet = sign.has_value();
+    forEachBrickOf(
+        ChunkGrid<D>(actual.lattice(), state_.header.chunkSide).chunk(number), actual.table(),
+        [&](std::size_t brickIndex) { quiet = quiet && actual.slot(brickIndex) == *sign; });
+    return quiet;
   }
   /// Empty if the chunk has no surface: its signs are those of the level before.
   std::vector<std::byte> signSection(ChunkState<D>& chunk, const Signs<D>& actual) const {
@@ -173,10 +182,8 @@ class UniformWriter {
     return codedSection(LayerKind::Refinement, GeometryPass<D>{}, own, source_->quantized(),
                         [&](auto& exchange) { chunk.codeSigns(exchange, coder); });
   }
-  /// Empty if the chunk has no surface.
   std::vector<std::byte> passSection(ChunkState<D>& chunk, std::size_t number,
                                      const GeometryPass<D>& pass) const {
-    if (!chunk.hasGeometry()) return {};
     const ChunkGrid<D> grid(state_.signs.lattice(), state_.header.chunkSide);
     const ChunkField<D> field(source_->field(), state_.header, source_->quantized(),
                               grid.chunk(number), chunk);

@@ -88,6 +88,24 @@ class ChunkGrid {
   [[nodiscard]] int32_t end(int axis, int32_t at) const {
     return at + 1 == count_[axis] ? level_.last[axis] + 1 : (at + 1) * side_;
   }
+  /// Calls visit(number) for a chunk and those beside it.
+  template <class Visit>
+  void forEachAround(std::size_t number, Visit visit) const {
+    Coordinates<D> low, high;
+    for (int a = 0; a < D; ++a) {
+      const auto count = static_cast<std::size_t>(count_[a]);
+      const auto at = static_cast<int32_t>(number % count);
+      number /= count;
+      low[a] = std::max(at - 1, 0);
+      high[a] = std::min(at + 1, count_[a] - 1);
+    }
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& at) {
+      std::size_t around = 0;
+      for (int a = D - 1; a >= 0; --a)
+        around = around * static_cast<std::size_t>(count_[a]) + static_cast<std::size_t>(at[a]);
+      visit(around);
+    });
+  }
   /// Chunk 0 … total() - 1, the first axis being the fastest.
   [[nodiscard]] ISOSTAR_COLD Chunk<D> chunk(std::size_t number) const {
     Chunk<D> chunk;

@@ -38,11 +38,15 @@ Signs<D> refined(const Signs<D>& coarse) {
                                                   0xC0, 0xC3, 0xCC, 0xCF, 0xF0, 0xF3, 0xFC, 0xFF};
   Signs<D> fine(coarse.lattice().finer());
   const auto& table = fine.table();
-  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex) {
-    const auto at = table.brick(brickIndex);
-    Coordinates<D> half;
-    for (int a = 0; a < D; ++a) half[a] = at[a] / 2;
-    const uint32_t index = coarse.slot(coarse.table().index(half));
+  Coordinates<D> at{};
+  std::size_t parentsRow = 0;  // the coarser brick at its beginning
+  for (std::size_t brickIndex = 0; brickIndex < table.total(); ++brickIndex, table.advance(at)) {
+    if (at[0] == 0) {
+      Coordinates<D> half;
+      for (int a = 0; a < D; ++a) half[a] = at[a] / 2;
+      parentsRow = coarse.table().index(half);
+    }
+    const uint32_t index = coarse.slot(parentsRow + static_cast<std::size_t>(at[0] / 2));
     if (index <= Signs<D>::kPositive) {
       fine.setUniform(brickIndex, index);
       continue;
@@ -65,13 +69,40 @@ Signs<D> refined(const Signs<D>& coarse) {
   return fine;
 }
 
-/// The most bricks that refined() makes. `finer`: the finer level's table.
+/// The most bricks that copyEndPlane() makes, on all axes.
 template <int D>
-uint64_t mostRefinedBricks(const Signs<D>& coarse, const BrickTable<D>& finer) {
-  uint64_t bricks = uint64_t{coarse.brickCount()} << D;
-  // The bricks that copyEndPlane() changes.
-  for (int a = 0; a < D; ++a) bricks += finer.total() / static_cast<std::size_t>(finer.count(a));
+uint64_t mostEndBricks(const Signs<D>& coarse) {
+  const auto& table = coarse.table();
+  const auto finer = coarse.lattice().finer();
+  uint64_t bricks = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    if ((finer.last[axis] & 1) == 0) continue;
+    Coordinates<D> low{}, high;
+    for (int a = 0; a < D; ++a) high[a] = table.count(a) - 1;
+    low[axis] = high[axis];
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& at) {
+      const std::size_t brickIndex = table.index(at);
+      const uint32_t slot = coarse.slot(brickIndex);
+      const bool differs = at[axis] > 0 && coarse.slot(brickIndex - table.stride(axis)) != slot;
+      if (slot > Signs<D>::kPositive || differs) bricks += power(2, D - 1);
+    });
+  }
   return bricks;
+}
+
+/// Bytes of the signs that refined() makes, at most, and of copies of them.
+template <int D>
+uint64_t memoryOfRefined(const Signs<D>& coarse) {
+  constexpr std::size_t kPage = Signs<D>::kPage;
+  const BrickTable<D> finer(coarse.lattice().finer());
+  const uint64_t ends = mostEndBricks<D>(coarse);
+  // What is in a page of the coarser level lies in some runs along the first axis, and each of them
+  // becomes 2^(D - 1) runs that are twice as long.
+  const auto row = static_cast<std::size_t>(coarse.table().count(0));
+  const uint64_t runs = (kPage / row + 2) * power(2, D - 1),
+                 pagesOfRun = 2 * std::min(kPage, row) / kPage + 2;
+  return Signs<D>::memoryToFill(finer.total(), (uint64_t{coarse.brickCount()} << D) + ends,
+                                (coarse.varied() + 1) * runs * pagesOfRun + ends);
 }
 
 /// The even bits of a byte, packed into four bits.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "grid/brick_map.h"
 #include "grid/brick_table.h"
 
 namespace isostar {
@@ -26,10 +27,12 @@ template <int D>
 class Signs {
  public:
   static constexpr uint32_t kNegative = 0, kPositive = 1;
+  /// Slots of so many consecutive bricks are stored together.
+  static constexpr std::size_t kPage = BrickMap<uint32_t, kNegative, kPositive>::kPage;
 
   Signs() = default;
   explicit Signs(const Lattice<D>& lattice)
-      : lattice_(lattice), table_(lattice), at_(table_.total(), kNegative), bricks_(2) {
+      : lattice_(lattice), table_(lattice), at_(table_.total()), bricks_(2) {
     bricks_[kNegative].rows.fill(0x00);
     bricks_[kPositive].rows.fill(0xFF);
   }
@@ -43,35 +46,40 @@ class Signs {
   }
   [[nodiscard]] uint32_t brickCount() const { return static_cast<uint32_t>(bricks_.size()); }
   /// Bytes in use while one more brick is made.
-  [[nodiscard]] uint64_t memory() const {
-    return at_.capacity() * sizeof(uint32_t) + memoryToGrow(bricks_);
+  [[nodiscard]] uint64_t memory() const { return at_.memoryToSet() + memoryToGrow(bricks_); }
+  /// Bytes needed at most to put that many bricks one after the other. `pages`: as of varied(), at
+  /// most.
+  [[nodiscard]] static uint64_t memoryToFill(uint64_t tableSize, uint64_t bricks,
+                                             uint64_t pages = UINT64_MAX) {
+    return Slots::memoryOf(tableSize, pages) +
+           3 * (std::min(bricks, tableSize) + 2) * sizeof(Brick<D>);
   }
-  /// Bytes needed at most to put that many bricks one after the other.
-  [[nodiscard]] static uint64_t memoryToFill(uint64_t tableSize, uint64_t bricks) {
-    return tableSize * sizeof(uint32_t) + 3 * (std::min(bricks, tableSize) + 2) * sizeof(Brick<D>);
-  }
+  /// How many pages of slots are in memory, or would be if bricks moved.
+  [[nodiscard]] std::size_t varied() const { return at_.varied(); }
 
-  void fill(uint32_t uniform) { std::fill(at_.begin(), at_.end(), uniform); }
-  void setUniform(std::size_t brickIndex, uint32_t uniform) { at_[brickIndex] = uniform; }
+  void fill(uint32_t uniform) { at_.fill(uniform); }
+  void setUniform(std::size_t brickIndex, uint32_t uniform) { at_.set(brickIndex, uniform); }
 
   /// The brick at an index, for writing. A uniform brick gets a slot of its own first.
   Brick<D>& writable(std::size_t brickIndex) {
-    uint32_t& index = at_[brickIndex];
+    uint32_t index = at_[brickIndex];
     if (index <= kPositive) {
       bricks_.push_back(bricks_[index]);
       index = brickCount() - 1;
+      at_.set(brickIndex, index);
     }
     return bricks_[index];
   }
-  /// Sets the brick at an index that has no slot of its own yet. A uniform brick takes a shared
-  /// slot.
+  /// Sets the brick at an index. A uniform brick takes a shared slot.
   void put(std::size_t brickIndex, const Brick<D>& brick) {
     if (brick == bricks_[kNegative]) {
-      at_[brickIndex] = kNegative;
+      at_.set(brickIndex, kNegative);
     } else if (brick == bricks_[kPositive]) {
-      at_[brickIndex] = kPositive;
+      at_.set(brickIndex, kPositive);
+    } else if (at_[brickIndex] > kPositive) {
+      bricks_[at_[brickIndex]] = brick;
     } else {
-      at_[brickIndex] = brickCount();
+      at_.set(brickIndex, brickCount());
       bricks_.push_back(brick);
     }
   }
@@ -85,6 +93,8 @@ class Signs {
   }
 
  private:
+  using Slots = BrickMap<uint32_t, kNegative, kPositive>;
+
   [[nodiscard]] static std::size_t rowOf(const Coordinates<D>& v) {
     std::size_t row = 0;
     for (int a = D - 1; a >= 1; --a) row = row * 8 + static_cast<std::size_t>(v[a] & 7);
@@ -93,7 +103,7 @@ class Signs {
 
   Lattice<D> lattice_;
   BrickTable<D> table_;
-  std::vector<uint32_t> at_;
+  Slots at_;
   std::vector<Brick<D>> bricks_;
 };
 

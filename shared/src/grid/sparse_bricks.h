@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "grid/brick_map.h"
 #include "util/pool.h"
 
 namespace isostar {
@@ -15,11 +15,13 @@ class SparseBricks {
  public:
   /// Bytes of bookkeeping for a brick while the pool grows.
   static constexpr uint64_t kLink = 4 * sizeof(void*);
+  /// The most bytes that refer() takes.
+  static constexpr uint64_t kBytesToRefer = kLink + BrickMap<uint32_t, 0>::kBytesPerPage;
 
   SparseBricks() = default;
   /// `tableSize`: the number of bricks in the lattice's BrickTable. `nothing`: a brick in which
   /// nothing is known.
-  SparseBricks(std::size_t tableSize, const Brick& nothing) : at_(tableSize, kNone) {
+  SparseBricks(std::size_t tableSize, const Brick& nothing) : at_(tableSize) {
     bricks_.add(nothing);
   }
 
@@ -33,7 +35,7 @@ class SparseBricks {
   /// valid.
   Brick& writable(std::size_t brickIndex) {
     if (at_[brickIndex] == kNone) {
-      at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
+      at_.set(brickIndex, static_cast<uint32_t>(bricks_.size()));
       bricks_.add(bricks_[kNone]);
     }
     return bricks_[at_[brickIndex]];
@@ -41,7 +43,7 @@ class SparseBricks {
   /// Makes the brick at an index that has none one of another table's, which must outlive its use
   /// here. Both see changes.
   void refer(std::size_t brickIndex, Brick& brick) {
-    at_[brickIndex] = static_cast<uint32_t>(bricks_.size());
+    at_.set(brickIndex, static_cast<uint32_t>(bricks_.size()));
     bricks_.refer(brick);
   }
   /// Calls visit(brick) for each brick, nothing() included.
@@ -51,15 +53,22 @@ class SparseBricks {
   }
 
   /// Bytes in use while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return memoryOf(at_.size(), bricks_.size()); }
+  [[nodiscard]] uint64_t memory() const {
+    return at_.memoryToSet() + memoryOfBricks(bricks_.size());
+  }
   [[nodiscard]] static uint64_t memoryOf(uint64_t tableSize, uint64_t bricks) {
-    return tableSize * sizeof(uint32_t) + (bricks + 2) * (sizeof(Brick) + kLink);
+    return Slots::memoryOf(tableSize, bricks + 1) + memoryOfBricks(bricks);
   }
 
  private:
   static constexpr uint32_t kNone = 0;  // the slot of nothing()
+  using Slots = BrickMap<uint32_t, kNone>;
 
-  std::vector<uint32_t> at_;
+  [[nodiscard]] static uint64_t memoryOfBricks(uint64_t bricks) {
+    return (bricks + 2) * (sizeof(Brick) + kLink);
+  }
+
+  Slots at_;
   Pool<Brick> bricks_;
 };
 

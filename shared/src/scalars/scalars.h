@@ -53,7 +53,7 @@ class Scalars : public SparseBricks<ScalarBrick<D>> {
 
   Scalars() = default;
   explicit Scalars(std::size_t tableSize)
-      : SparseBricks<Brick>(tableSize, Brick::unknown()), gradient_(tableSize, kNoGradient) {}
+      : SparseBricks<Brick>(tableSize, Brick::unknown()), gradient_(tableSize) {}
 
   /// The typical difference of scalars along a crossing edge of the brick: 4 log2 of quantization
   /// steps.
@@ -62,14 +62,14 @@ class Scalars : public SparseBricks<ScalarBrick<D>> {
     return gradient_[brickIndex] != kNoGradient;
   }
   void setGradient(std::size_t brickIndex, int quarterLog2) {
-    gradient_[brickIndex] = static_cast<uint8_t>(quarterLog2);
+    gradient_.set(brickIndex, static_cast<uint8_t>(quarterLog2));
   }
   /// The mean of all gradients; `otherwise` if there are none.
   [[nodiscard]] int meanGradient(int otherwise) const {
     int64_t sum = 0, count = 0;
-    for (const uint8_t one : gradient_) {
-      if (one == kNoGradient) continue;
-      sum += one;
+    for (std::size_t brickIndex = 0; brickIndex < gradient_.size(); ++brickIndex) {
+      if (!hasGradient(brickIndex)) continue;
+      sum += gradient_[brickIndex];
       ++count;
     }
     return count == 0 ? otherwise : static_cast<int>(sum / count);
@@ -113,15 +113,19 @@ class Scalars : public SparseBricks<ScalarBrick<D>> {
   }
 
   /// Bytes in use while one more brick is made.
-  [[nodiscard]] uint64_t memory() const { return memoryOf(this->tableSize(), this->brickCount()); }
+  [[nodiscard]] uint64_t memory() const {
+    return SparseBricks<Brick>::memory() + gradient_.memoryToSet();
+  }
   [[nodiscard]] static uint64_t memoryOf(uint64_t tableSize, uint64_t bricks) {
-    return SparseBricks<Brick>::memoryOf(tableSize, bricks) + tableSize;
+    return SparseBricks<Brick>::memoryOf(tableSize, bricks) +
+           Gradients::memoryOf(tableSize, bricks + 1);
   }
 
  private:
   static constexpr uint8_t kNoGradient = 255;
+  using Gradients = BrickMap<uint8_t, kNoGradient>;
 
-  std::vector<uint8_t> gradient_;
+  Gradients gradient_;
 };
 
 }  // namespace isostar

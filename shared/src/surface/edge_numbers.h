@@ -1,7 +1,9 @@
 // The numbers of a mesh's vertices: one for each crossing edge, brick by brick.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <optional>
 #include <vector>
 
 #include "scalars/crossings.h"
@@ -13,21 +15,25 @@ namespace isostar {
 /// Bricks are named by their slots: their order among the active ones.
 class EdgeNumbers {
  public:
-  /// Bytes per brick index of the whole table.
-  static constexpr uint64_t kBytesPerEntry = sizeof(uint8_t) + sizeof(uint32_t);
   static constexpr uint32_t kNone = UINT32_MAX;
 
-  EdgeNumbers(const Signs<3>& signs, Polygonizer polygonizer)
-      : signs_(signs),
-        polygonizer_(polygonizer),
-        numbers_(numbersOfSets(polygonizer)),
-        slot_(signs.table().total(), kNone) {
+  /// Nothing if it would take more than `memory` bytes.
+  [[nodiscard]] static std::optional<EdgeNumbers> of(const Signs<3>& signs, Polygonizer polygonizer,
+                                                     uint64_t memory) {
+    const uint64_t marks = signs.table().total();
+    if (marks > memory) return std::nullopt;
     const auto active = activeBricks(signs);
+    const auto bricks = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+    if (marks + Slots::memoryOf(marks, bricks) + bricks * sizeof(std::size_t) > memory)
+      return std::nullopt;
+    EdgeNumbers numbers(signs, polygonizer);
+    numbers.bricks_.reserve(bricks);
     for (std::size_t brickIndex = 0; brickIndex < active.size(); ++brickIndex) {
       if (active[brickIndex] == 0) continue;
-      slot_[brickIndex] = static_cast<uint32_t>(bricks_.size());
-      bricks_.push_back(brickIndex);
+      numbers.slot_.set(brickIndex, static_cast<uint32_t>(numbers.bricks_.size()));
+      numbers.bricks_.push_back(brickIndex);
     }
+    return numbers;
   }
 
   [[nodiscard]] std::size_t bricks() const { return bricks_.size(); }
@@ -50,18 +56,17 @@ class EdgeNumbers {
 
   /// Bytes that makeRoom() takes.
   [[nodiscard]] uint64_t memory() const {
-    return kBytesPerEntry * slot_.size() +
-           bricks_.size() * (sets() * sizeof(EdgeIndex) + sizeof(std::size_t));
+    return slot_.memory() + bricks_.size() * (sets() * sizeof(EdgeIndex) + sizeof(std::size_t));
   }
   void makeRoom() { index_.resize(bricks_.size() * sets()); }
   /// Numbers the vertices of a brick from `first` on; returns the next number.
   uint32_t count(std::size_t slot, uint32_t first) {
-    const CornerSigns corners(signs_, bricks_[slot]);
-    const auto brick = signs_.table().brick(bricks_[slot]);
+    const CornerSigns corners(*signs_, bricks_[slot]);
+    const auto brick = signs_->table().brick(bricks_[slot]);
     for (unsigned axes = 1; axes <= lastAxes(); ++axes) {
       if (!uses(axes)) continue;
       EdgeIndex& index = index_[slot * sets() + numbers_[axes]];
-      const auto inside = insideOf(signs_.lattice(), brick, axes);
+      const auto inside = insideOf(signs_->lattice(), brick, axes);
       for (unsigned z = 0; z < kPlanes; ++z) {
         const uint64_t crossed = corners.crossedEdges(axes, z) & inside[z];
         index.planes[z] = {crossed, first};
@@ -78,6 +83,14 @@ class EdgeNumbers {
   }
 
  private:
+  using Slots = BrickMap<uint32_t, kNone>;
+
+  EdgeNumbers(const Signs<3>& signs, Polygonizer polygonizer)
+      : signs_(&signs),
+        polygonizer_(polygonizer),
+        numbers_(numbersOfSets(polygonizer)),
+        slot_(signs.table().total()) {}
+
   /// How many sets of axes there are along which edges run.
   [[nodiscard]] std::size_t sets() const { return polygonizer_ == Polygonizer::Cubes ? 3 : 7; }
   /// Of a set of axes: its number among those used.
@@ -86,10 +99,10 @@ class EdgeNumbers {
     return {0, 0, 1, 2, 3, 4, 5, 6};
   }
 
-  const Signs<3>& signs_;
-  const Polygonizer polygonizer_;
+  const Signs<3>* signs_;
+  Polygonizer polygonizer_;
   std::array<uint8_t, 8> numbers_;
-  std::vector<uint32_t> slot_;       // by brick index
+  Slots slot_;                       // by brick index
   std::vector<std::size_t> bricks_;  // brick indices, by slot
   std::vector<EdgeIndex> index_;     // by slot, then by number of the set of axes
 };

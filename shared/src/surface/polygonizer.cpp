@@ -13,7 +13,8 @@ class Polygonization {
  public:
   /// `depth` receives by how much each vertex lies inside the surface's domain, if there is one.
   Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, Mesh& out, std::vector<float>& depth, MeshPart* part)
+                 const RunTasks& runTasks, EdgeNumbers numbers, Mesh& out,
+                 std::vector<float>& depth, MeshPart* part)
       : surface_(surface),
         options_(options),
         frames_(surface.signs.lattice(), surface.placement, options.frame),
@@ -23,7 +24,7 @@ class Polygonization {
         out_(out),
         depth_(depth),
         part_(part),
-        numbers_(surface.signs, options.polygonizer) {}
+        numbers_(std::move(numbers)) {}
 
   Error run() {
     held_ = numbers_.memory();
@@ -180,10 +181,12 @@ class Polygonization {
 Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
                  const RunTasks& runTasks, Mesh& out, MeshPart* part) {
   out = {};
-  if (EdgeNumbers::kBytesPerEntry * surface.signs.table().total() > limits.memory)
-    return Error::OverLimit;
+  auto numbers = EdgeNumbers::of(surface.signs, options.polygonizer, limits.memory);
+  if (!numbers) return Error::OverLimit;
   std::vector<float> depth;
-  Error error = Polygonization(surface, options, limits, runTasks, out, depth, part).run();
+  Error error =
+      Polygonization(surface, options, limits, runTasks, *std::move(numbers), out, depth, part)
+          .run();
   if (error == Error::None && surface.domain != nullptr) error = trim(depth, limits, out);
   if (error != Error::None) out = {};
   return error;

@@ -126,7 +126,7 @@ export type Source =
 export interface Limits {
   /**
    * Bytes that the decoder uses, including the mesh while it is made. Not included are the bytes of
-   * the stream, which may take as much again. Default: 512 MB.
+   * the stream, which may take as much again. Default: 512 MiB.
    */
   memory?: number | undefined;
   /** Samples of the source's grid. Default: 2³¹. */

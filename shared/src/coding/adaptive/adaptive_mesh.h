@@ -42,8 +42,7 @@ class AdaptiveMesh {
   [[nodiscard]] uint64_t memoryToRefine() const {
     const BrickTable<D> finer(signs_.back().lattice().finer());
     const uint64_t tableSize = finer.total();
-    return 2 * tableSize +
-           Signs<D>::memoryToFill(tableSize, mostRefinedBricks(signs_.back(), finer)) +
+    return 2 * tableSize + memoryOfRefined(signs_.back()) +
            Signs<D>::memoryToFill(tableSize, uint64_t{absent_.back().brickCount()} << D);
   }
   /// The same to fill a level. Vertices that were absent may need bricks of their own, on finer

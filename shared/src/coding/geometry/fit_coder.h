@@ -17,6 +17,11 @@ class FitCoder {
     weights_.fill(Mixer<4>::initialWeights());
   }
 
+  /// Bytes beside the object.
+  [[nodiscard]] static constexpr uint64_t memoryOfModels() {
+    return (2 * kFitContexts + kBothContexts) * sizeof(BitModel);
+  }
+
   /// Loads a brick's scalars. `gradient`: as Scalars store it.
   void enter(const ScalarWindow<D>& scalars, int gradient) { window_.load(scalars, gradient); }
   /// Fits the surroundings of vertex x in row r.

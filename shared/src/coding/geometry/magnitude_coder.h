@@ -18,6 +18,11 @@ template <int D>
 class MagnitudeCoder {
  public:
   MagnitudeCoder() : models_(kContexts) {}
+  /// Bytes of models beside the object, before a pass is fitted, and now.
+  [[nodiscard]] static constexpr uint64_t memoryOfModels() { return kContexts * sizeof(BitModel); }
+  [[nodiscard]] uint64_t memory() const {
+    return memoryOfModels() + (fit_ ? FitCoder<D>::memoryOfModels() : 0);
+  }
 
   using Allowed = typename FarEnds<D>::Allowed;
 
