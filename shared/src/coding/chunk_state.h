@@ -39,7 +39,7 @@ class ChunkState {
   [[nodiscard]] const std::vector<uint8_t>& halo() const { return halo_; }
   [[nodiscard]] const Signs<D>& signs() const { return signs_; }
   /// Bytes in use.
-  [[nodiscard]] uint64_t memory() const {
+  [[nodiscard]] ISOSTAR_COLD uint64_t memory() const {
     return sizeof(ChunkState) + geometry_.magnitudes.memory() + signs_.memory() +
            halo_.size() * (sizeof(std::size_t) + 2) + geometry_.scalars.memory() +
            geometry_.displacements.memory();
@@ -105,7 +105,7 @@ class ChunkState {
       assumeFarEnds(pass.members == Members::DiagonalEnds);
   }
   /// Bytes that joinGeometry() takes in the level's tables, at most.
-  [[nodiscard]] uint64_t memoryToJoin() const {
+  [[nodiscard]] ISOSTAR_COLD uint64_t memoryToJoin() const {
     return (2 * geometry_.scalars.brickCount() + geometry_.displacements.brickCount()) *
            Scalars<D>::kBytesToRefer;
   }
@@ -147,7 +147,7 @@ class ChunkState {
     }
   }
   /// Bytes of scalars in use then, at most.
-  [[nodiscard]] uint64_t memoryToAssume() const {
+  [[nodiscard]] ISOSTAR_COLD uint64_t memoryToAssume() const {
     const auto& table = signs_.table();
     std::vector<uint8_t> made(halo_.size());
     for (std::size_t i = 0; i < halo_.size(); ++i) {

@@ -202,7 +202,8 @@ class ChunkDecoder {
   /// so that threads end at about the same time. The first error in the chunks' order counts: it
   /// does not depend on the order of work.
   template <class DecodeChunk>
-  Error run(Reconstruction::Sections sections, Budget& budget, DecodeChunk decodeChunk) {
+  ISOSTAR_COLD Error run(Reconstruction::Sections sections, Budget& budget,
+                         DecodeChunk decodeChunk) {
     const std::size_t count = sections.size();
     std::vector<Piece> pieces(count);
     std::array<std::size_t, kTogether> order;

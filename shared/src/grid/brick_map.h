@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "util/cold_path.h"
+
 namespace isostar {
 
 /// Maps brick indices to numbers. Most bricks of a box lie far from the surface and have one of few
@@ -22,19 +24,20 @@ class BrickMap {
 
   BrickMap() = default;
   /// All have the first common number.
-  explicit BrickMap(std::size_t size)
+  ISOSTAR_COLD explicit BrickMap(std::size_t size)
       : size_(size), pages_((size + kPage - 1) / kPage, common(0)) {}
-  BrickMap(const BrickMap& other) : size_(other.size_), pages_(other.pages_), own_(other.own_) {
+  ISOSTAR_COLD BrickMap(const BrickMap& other)
+      : size_(other.size_), pages_(other.pages_), own_(other.own_) {
     for (const Page*& page : pages_) {
       if (!isCommon(page)) page = new Page(*page);
     }
   }
-  BrickMap(BrickMap&& other) noexcept { swap(other); }
-  BrickMap& operator=(BrickMap other) noexcept {
+  ISOSTAR_COLD BrickMap(BrickMap&& other) noexcept { swap(other); }
+  ISOSTAR_COLD BrickMap& operator=(BrickMap other) noexcept {
     swap(other);
     return *this;
   }
-  ~BrickMap() {
+  ISOSTAR_COLD ~BrickMap() {
     for (const Page* page : pages_) release(page);
   }
 
@@ -42,7 +45,7 @@ class BrickMap {
   [[nodiscard]] T operator[](std::size_t brickIndex) const {
     return (*pages_[brickIndex / kPage])[brickIndex % kPage];
   }
-  void set(std::size_t brickIndex, T number) {
+  ISOSTAR_COLD void set(std::size_t brickIndex, T number) {
     const Page*& page = pages_[brickIndex / kPage];
     const std::size_t at = brickIndex % kPage;
     if ((*page)[at] == number) return;
@@ -55,7 +58,7 @@ class BrickMap {
     if (at == kPage - 1) merge(page);
   }
   /// Sets all to a common number.
-  void fill(T number) {
+  ISOSTAR_COLD void fill(T number) {
     for (const Page*& page : pages_) {
       release(page);
       page = commonOf(number);
@@ -64,7 +67,7 @@ class BrickMap {
   }
 
   /// Pages in memory, and pairs of neighbouring others that differ.
-  [[nodiscard]] std::size_t varied() const {
+  [[nodiscard]] ISOSTAR_COLD std::size_t varied() const {
     std::size_t pairs = 0;
     for (std::size_t i = 1; i < pages_.size(); ++i)
       pairs += pages_[i] != pages_[i - 1] && isCommon(pages_[i]) && isCommon(pages_[i - 1]) ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "grid/signs.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -71,7 +72,7 @@ Signs<D> refined(const Signs<D>& coarse) {
 
 /// The most bricks that copyEndPlane() makes, on all axes.
 template <int D>
-uint64_t mostEndBricks(const Signs<D>& coarse) {
+ISOSTAR_COLD uint64_t mostEndBricks(const Signs<D>& coarse) {
   const auto& table = coarse.table();
   const auto finer = coarse.lattice().finer();
   uint64_t bricks = 0;
@@ -92,7 +93,7 @@ uint64_t mostEndBricks(const Signs<D>& coarse) {
 
 /// Bytes of the signs that refined() makes, at most, and of copies of them.
 template <int D>
-uint64_t memoryOfRefined(const Signs<D>& coarse) {
+ISOSTAR_COLD uint64_t memoryOfRefined(const Signs<D>& coarse) {
   constexpr std::size_t kPage = Signs<D>::kPage;
   const BrickTable<D> finer(coarse.lattice().finer());
   const uint64_t ends = mostEndBricks<D>(coarse);

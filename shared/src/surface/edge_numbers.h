@@ -9,6 +9,7 @@
 #include "scalars/crossings.h"
 #include "surface/corner_signs.h"
 #include "surface/edge_index.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -18,8 +19,9 @@ class EdgeNumbers {
   static constexpr uint32_t kNone = UINT32_MAX;
 
   /// Nothing if it would take more than `memory` bytes.
-  [[nodiscard]] static std::optional<EdgeNumbers> of(const Signs<3>& signs, Polygonizer polygonizer,
-                                                     uint64_t memory) {
+  [[nodiscard]] ISOSTAR_COLD static std::optional<EdgeNumbers> of(const Signs<3>& signs,
+                                                                  Polygonizer polygonizer,
+                                                                  uint64_t memory) {
     const uint64_t marks = signs.table().total();
     if (marks > memory) return std::nullopt;
     const auto active = activeBricks(signs);

@@ -131,7 +131,7 @@ class MeshPiece {
     if (normals_) writeNormal(edge, axes, t, place);
   }
 
-  void writeNormal(const Edge& edge, unsigned axes, double t, uint32_t place) {
+  [[gnu::noinline]] void writeNormal(const Edge& edge, unsigned axes, double t, uint32_t place) {
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
       gradient[a] = axes == 1u << a ? (scalar(edge.oddAt) - scalar(edge.evenAt)) *
