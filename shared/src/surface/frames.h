@@ -37,9 +37,9 @@ class Frames {
     for (int a = 0; a < 3; ++a) origin_[a] = p.origin[static_cast<std::size_t>(a)];
     if (world_) gradient_ = glm::transpose(glm::inverse(matrix_));
   }
-  /// The sample on an axis at which a plane of the lattice lies.
-  [[nodiscard]] double sample(std::size_t axis, int32_t plane) const {
-    return lattice_.sample(static_cast<int>(axis), plane);
+  /// The sample at a vertex of the lattice.
+  [[nodiscard]] glm::dvec3 sample(const Coordinates<3>& v) const {
+    return {lattice_.sample(0, v[0]), lattice_.sample(1, v[1]), lattice_.sample(2, v[2])};
   }
   /// A sample, or a point between samples, in the chosen frame.
   [[nodiscard]] glm::dvec3 position(const glm::dvec3& sample) const {

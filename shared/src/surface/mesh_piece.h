@@ -73,10 +73,6 @@ class MeshPiece {
   void placeVertices(std::size_t slot) {
     const auto brick = signs_.table().brick(numbers_.brickIndex(slot));
     scalars_.load(surface_.scalars, signs_.table(), brick);
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t i = 0; i <= kBrickSide; ++i)
-        samples_[a][i] = frames_.sample(a, brick[a] * kBrickSide + static_cast<int32_t>(i));
-    }
     if (surface_.domain != nullptr) domain_.load(*surface_.domain, signs_.table(), brick);
     for (unsigned axes = 1; axes <= numbers_.lastAxes(); ++axes) {
       if (!numbers_.uses(axes)) continue;
@@ -86,7 +82,7 @@ class MeshPiece {
         for (; open != 0; open &= open - 1, ++id) {
           const auto at = static_cast<unsigned>(std::countr_zero(open));
           ids_[EdgePositions::at(axes, at % kBrickSide, at / kBrickSide, z)] = id;
-          placeVertex(axes, {at % kBrickSide, at / kBrickSide, z}, id - shift_);
+          placeVertex(brick, axes, z, at, id - shift_);
         }
       }
     }
@@ -99,44 +95,22 @@ class MeshPiece {
     if (normals_) out_.normals.resize(vertices * 3);
   }
 
-  /// An edge along a set of axes, from the end that is even on them to the one that is odd: their
-  /// offsets in a ScalarWindow, and by how much the odd end lies further on each axis.
-  struct Edge {
-    int evenAt, oddAt;
-    std::array<int, 3> step;
-  };
-
-  /// `from`: the least vertex of the edge in the brick. `place`: of the vertex in `out`.
-  void placeVertex(unsigned axes, const std::array<unsigned, 3>& from, uint32_t place) {
-    const int at =
-        ScalarWindow<3>::index(from[2] * kBrickSide + from[1], static_cast<int>(from[0]));
-    Edge edge{at, at, {}};
-    for (unsigned a = 0; a < 3; ++a) {
-      if ((axes >> a & 1) == 0) continue;
-      const bool isOdd = (from[a] & 1) != 0;
-      (isOdd ? edge.evenAt : edge.oddAt) += ScalarWindow<3>::stride(static_cast<int>(a));
-      edge.step[a] = isOdd ? -1 : 1;
-    }
-    const double even = size(edge.evenAt), odd = size(edge.oddAt);
-    const double t = even + odd > 0 ? even / (even + odd) : 0.5;
-    glm::dvec3 point;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::size_t ofEven = from[a] + (edge.step[a] < 0 ? 1 : 0),
-                        ofOdd = from[a] + (edge.step[a] > 0 ? 1 : 0);
-      const double start = samples_[a][ofEven];
-      point[static_cast<int>(a)] = start + t * (samples_[a][ofOdd] - start);
-    }
-    write(out_.positions, place, frames_.position(point));
-    if (surface_.domain != nullptr) depth_[place] = static_cast<float>(depthOf(edge, t));
-    if (normals_) writeNormal(edge, axes, t, place);
-  }
-
-  [[gnu::noinline]] void writeNormal(const Edge& edge, unsigned axes, double t, uint32_t place) {
+  /// `place`: of the vertex in `out`.
+  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned z, unsigned at,
+                   uint32_t place) {
+    const EdgeEnds<3> ends(brick, z * kBrickSide + at / kBrickSide, at % kBrickSide, axes);
+    const double from = size(ends.evenAt), to = size(ends.oddAt);
+    const double t = from + to > 0 ? from / (from + to) : 0.5;
+    const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
+    write(out_.positions, place, frames_.position(start + t * (end - start)));
+    if (surface_.domain != nullptr) depth_[place] = static_cast<float>(depthOf(ends, t));
+    if (!normals_) return;
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {
-      gradient[a] = axes == 1u << a ? (scalar(edge.oddAt) - scalar(edge.evenAt)) *
-                                          edge.step[static_cast<std::size_t>(a)]
-                                    : across(edge, t, a);
+      if (axes == 1u << a)
+        gradient[a] = (scalar(ends.oddAt) - scalar(ends.evenAt)) * (ends.odd[a] - ends.even[a]);
+      else
+        gradient[a] = across(ends, t, a);
     }
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
@@ -146,23 +120,23 @@ class MeshPiece {
   /// By how much a vertex on an edge lies inside the domain. A stream for Polygonizer::Cubes does
   /// not code the ends of diagonals: another corner of the cell stands in for them, so that only
   /// cells are cut that the domain's boundary crosses.
-  [[nodiscard]] double depthOf(const Edge& edge, double t) const {
+  [[nodiscard]] double depthOf(const EdgeEnds<3>& ends, double t) const {
     const auto& depth = domain_.value;
     const auto knownAt = [&](int at, int otherEnd) {
       // If neither end is known, all other corners are.
-      const int beside = edge.evenAt + edge.step[0];
+      const int beside = ends.evenAt + ends.odd[0] - ends.even[0];
       return depth[at] != Scalars<3>::kUnknown         ? at
              : depth[otherEnd] != Scalars<3>::kUnknown ? otherEnd
                                                        : beside;
     };
-    const double even = depth[knownAt(edge.evenAt, edge.oddAt)],
-                 odd = depth[knownAt(edge.oddAt, edge.evenAt)];
+    const double even = depth[knownAt(ends.evenAt, ends.oddAt)],
+                 odd = depth[knownAt(ends.oddAt, ends.evenAt)];
     return even + t * (odd - even);
   }
 
-  /// The field's difference along an axis, from the neighbours of an edge's ends whose scalars are
-  /// known.
-  [[nodiscard]] double across(const Edge& edge, double t, int axis) const {
+  /// The field's difference along an axis orthogonal to an edge, from the neighbours of its ends
+  /// whose scalars are known.
+  [[nodiscard]] double across(const EdgeEnds<3>& ends, double t, int axis) const {
     const int step = ScalarWindow<3>::stride(axis);
     double sum = 0, weight = 0;
     auto add = [&](int at, double share, bool ahead) {
@@ -173,8 +147,8 @@ class MeshPiece {
       }
     };
     // The further end of a diagonal may be the last vertex of the window.
-    add(edge.evenAt, 1 - t, edge.step[static_cast<std::size_t>(axis)] >= 0);
-    add(edge.oddAt, t, edge.step[static_cast<std::size_t>(axis)] <= 0);
+    add(ends.evenAt, 1 - t, ends.even[axis] <= ends.odd[axis]);
+    add(ends.oddAt, t, ends.odd[axis] <= ends.even[axis]);
     return weight > 0 ? sum / weight : 0;
   }
 
@@ -264,8 +238,7 @@ class MeshPiece {
   std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the current brick
   std::size_t corners_ = 0;                            // of triangles so far
   uint32_t shift_ = 0;
-  ScalarWindow<3> scalars_, domain_;                             // of the current brick
-  std::array<std::array<double, kBrickSide + 1>, 3> samples_{};  // on its planes, by axis
+  ScalarWindow<3> scalars_, domain_;
 };
 
 }  // namespace isostar
