@@ -56,7 +56,7 @@ class ChunkDecoder {
   /// of a level that have not arrived, or are not wanted, are shown as the level before.
   Outcome decode(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                  CodecState<D>& whole, Budget& budget) {
-    const uint64_t lists = kBytesPerSection * head.sections.size();
+    const uint64_t lists = kBytesOfLists * head.sections.size();
     if (lists > budget.memory) return {Error::OverLimit};
     budget.memory -= lists;
     return head.kind == LayerKind::Refinement ? refine(head, sections, torn, whole, budget)
@@ -72,33 +72,35 @@ class ChunkDecoder {
     Error error = Error::None;
     uint64_t work = 0, memory = 0;  // memory: what is kept, beside what was counted before
   };
-  /// In lists, while a layer is decoded: of the sections, of what is read of them, and of chunks.
-  static constexpr uint64_t kBytesPerSection =
-      2 * sizeof(Reconstruction::Section) + sizeof(std::optional<LayerInput<D>>) + sizeof(Piece) +
-      sizeof(std::unique_ptr<ChunkState<D>>) + 3;
+  /// For each section in lists, while a layer is decoded: of sections, of what is read of them, and
+  /// of chunks.
+  static constexpr uint64_t kBytesOfLists = 2 * sizeof(Reconstruction::Section) +
+                                            sizeof(std::optional<LayerInput<D>>) + sizeof(Piece) +
+                                            sizeof(std::unique_ptr<ChunkState<D>>) + 3;
 
   ISOSTAR_COLD Outcome refine(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                               CodecState<D>& whole, Budget& budget) {
-    // Of a torn level the last chunks have no sections.
-    std::vector<uint8_t> here(head.sections.size()), loud(head.sections.size());
+    // By chunk: is it decoded here, and is there anything to decode, here or elsewhere? Of a torn
+    // level the last chunks have no sections.
+    std::vector<uint8_t> here(head.sections.size()), made(head.sections.size());
     bool isWhole = sections.size() == head.sections.size();
     for (std::size_t i = 0; i < sections.size(); ++i) {
       // Only whole chunks count.
       const bool wanted = sections[i].isWanted && !isTorn(head, sections, i);
       isWhole = isWhole && wanted;
       here[i] = wanted && sections[i].isOwn ? 1 : 0;
-      loud[i] =
+      made[i] =
           wanted && (!sections[i].bytes.empty() || !ChunkedLevel<D>::uniform(whole, i)) ? 1 : 0;
     }
     if (torn && (isShare_ || std::find(here.begin(), here.end(), 1) == here.end())) return {};
     const uint64_t needed =
-        memoryToRefine(whole, countBeside(loud, whole.signs.lattice().finer(), whole.header));
+        memoryToRefine(whole, countBeside(made, whole.signs.lattice().finer(), whole.header));
     if (needed > budget.memory) return {Error::OverLimit};
     budget.memory -= needed;
     const uint64_t tables = ChunkedLevel<D>::memoryOf(whole, 1);
     typename ChunkedLevel<D>::Chunks chunks(head.sections.size());
     const Error error = run(sections, budget, [&](std::size_t i, const Budget& most) {
-      if (here[i] == 0 || loud[i] == 0) return Piece{};
+      if (here[i] == 0 || made[i] == 0) return Piece{};
       chunks[i] = ChunkedLevel<D>::next(whole, i);
       if (sections[i].bytes.empty()) return emptySection(chunks[i]->hasSigns());
       RefinementCoder<D> coder = whole.refinement;
