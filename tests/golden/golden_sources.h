@@ -39,6 +39,13 @@ inline SampledField placed() {
   return field;
 }
 
+/// In 513 chunks of 16 cells: one more than a page of the index names.
+inline SampledField twoBalls(std::string name) {
+  return sampled(std::move(name), {9, 9, 8209}, [](double x, double y, double z) {
+    return 3.2 - std::hypot(x - 4, y - 4, std::min(std::abs(z - 60), std::abs(z - 8202)));
+  });
+}
+
 inline GoldenSource image(std::string name) {
   const SampledField plane = sampled(std::move(name), {40, 31, 1}, [](double x, double y, double) {
     return std::round(255 * (0.52 + 0.3 * std::sin(0.41 * x) * std::cos(0.33 * y) +
@@ -93,6 +100,7 @@ inline std::vector<GoldenSource> goldenSources() {
   options = golden::withBound(0.2);
   options.chunkSide = 16;
   sources.push_back(golden::of(sampled("chunks", {33, 17, 36}, gyroid(23)), options));
+  sources.push_back(golden::of(golden::twoBalls("pages"), options));
   sources.push_back(golden::image("image"));
   sources.push_back(golden::sequence("sequence"));
   sources.push_back(

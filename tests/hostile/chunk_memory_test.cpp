@@ -1,6 +1,7 @@
 // Limits.memory holds for streams in chunks, however many they claim to have.
 #include "allocation.h"
 #include "coding/codec_state.h"
+#include "container/index.h"
 #include "property/round_trip.h"
 #include "unit/traversal.h"
 

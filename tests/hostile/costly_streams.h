@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "container/stream.h"
+#include "container/index.h"
 #include "grid/tube.h"
 #include "property/round_trip.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "container/crc.h"
-#include "container/stream.h"
+#include "container/index.h"
 
 namespace isostar {
 
@@ -30,8 +30,26 @@ inline std::size_t mendHeader(std::vector<std::byte>& stream, Header& header) {
   return 0;
 }
 
-/// Corrects the checksums of an index that begins at `at`, and of all sections as far as they are
-/// whole.
+/// Corrects the checksums of a layer's pages that begin at `at`, as far as they are whole, and
+/// reads them. False if one cannot be read. `at` receives where they end.
+inline bool mendPages(std::vector<std::byte>& stream, std::size_t& at, const Header& header,
+                      uint32_t identity, std::size_t layer, LayerHead& head) {
+  const std::span<const std::byte> all(stream);
+  if (!head.pages.empty()) head.sections.resize(header.chunks(head.level));
+  for (std::size_t page = 0; page < head.pages.size(); ++page) {
+    const std::size_t length = wholeBytes(head.pages[page]),
+                      sum = checksumBytes(head.pages[page].bytes);
+    if (length > stream.size() - at) return false;
+    const auto bytes = all.subspan(at, length);
+    putChecksum(stream, at, sum, pageChecksum(identity, layer, page, bytes.subspan(sum)));
+    if (readPage(bytes, identity, layer, page, head) != Error::None) return false;
+    at += length;
+  }
+  return true;
+}
+
+/// Corrects the checksums of an index that begins at `at`, and of all pages and sections as far as
+/// they are whole.
 inline void mendIndex(std::vector<std::byte>& stream, std::size_t at, const Header& header) {
   constexpr std::size_t kSum = 4;
   const std::span<const std::byte> all(stream);
@@ -45,6 +63,7 @@ inline void mendIndex(std::vector<std::byte>& stream, std::size_t at, const Head
   putChecksum(stream, at, kSum, crc.sum());
   at += kSum;
   for (std::size_t layer = 0; layer < heads.size(); ++layer) {
+    if (!mendPages(stream, at, header, crc.sum(), layer, heads[layer])) return;
     for (std::size_t chunk = 0; chunk < heads[layer].sections.size(); ++chunk) {
       const uint64_t length = heads[layer].sections[chunk];
       const std::size_t sum = checksumBytes(length);

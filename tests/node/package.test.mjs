@@ -65,7 +65,7 @@ test('the version is the same as in CMakeLists.txt', () => {
 });
 
 test('the WebAssembly stays small', () => {
-  const most = 108_000; // bytes; what this exceeds must be worth it
+  const most = 109_500; // bytes; what this exceeds must be worth it
   const wasm = readFileSync(here('../../web/dist/decoder.wasm'));
   const gzipped = gzipSync(wasm, { level: 9 }).length;
   assert.ok(gzipped < most, `${gzipped} bytes`);

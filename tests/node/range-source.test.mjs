@@ -4,6 +4,7 @@ import { openAsBlob } from 'node:fs';
 import { test } from 'node:test';
 import { RangeSource } from 'isostar';
 import { asUsual, at, chunked, gyroid, isFirst, lastBy, PATH } from './range-server.mjs';
+import { rodStream } from './streams.mjs';
 
 const last = async (source, options) => (await lastBy(asUsual, source, options)).surface;
 const whole = await last(chunked);
@@ -45,6 +46,18 @@ test('of a region only its bytes are read, and its vertices are those of the who
   assert.notDeepEqual(surface.positions, whole.positions);
   // Other sources give the same.
   assert.deepEqual((await last(chunked, { region })).positions, surface.positions);
+});
+
+test('of an index in pages only the pages of the region are read', async () => {
+  rodStream();
+  const rod = await last(at('rod.isostar'));
+  const box = { min: [0, 0, 20000], max: [5, 5, 20100] };
+  const { surface, requests } = await lastBy(asUsual, at('rod.isostar'), { region: box });
+  assert.equal(surface.final, true);
+  const sent = requests.reduce((sum, { bytes }) => sum + bytes, 0);
+  assert.ok(sent < surface.bytes / 8, `${sent} of ${surface.bytes} bytes`);
+  assert.ok(requests.length < 20, `${requests.length} requests`);
+  assert.deepEqual(verticesIn(surface, box), verticesIn(rod, box));
 });
 
 test('a stream without chunks is decoded as a whole', async () => {

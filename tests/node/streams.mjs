@@ -117,6 +117,15 @@ export const largeStream = () => encodeField('large', [120, 120, 120], gyroid(25
 /** 2³ chunks on the last level. */
 export const chunkedStream = () =>
   encodeField('chunked', [150, 140, 145], gyroid(60), '--chunk', '64');
+/** A bent rod in 514 chunks: an index with pages. */
+export const rodStream = () =>
+  encodeField(
+    'rod',
+    [6, 6, 32880],
+    (x, y, z) => 1.5 - Math.hypot(x - 2.5 - 0.6 * Math.sin(z / 9), y - 2.4 + 0.5 * Math.cos(z / 7)),
+    '--chunk',
+    '64',
+  );
 /** Three isovalues: 0, 0.25 and 0.5. */
 export const severalStream = () =>
   encodeField('gyroids', [64, 60, 50], gyroid(25), '--near', '0.25,0.5');

@@ -24,9 +24,8 @@ bool seesMarked(const ChunkGrid<3>& grid, std::size_t chunk, const ChunkGrid<3>&
   }
   bool all = true;
   forEachBetween<3>(low, high, [&](const Coordinates<3>& at) {
-    const auto number =
-        static_cast<std::size_t>((at[2] * coarser.count(1) + at[1]) * coarser.count(0) + at[0]);
-    all = all && marked[number];
+    const ZOrder<3> order({coarser.count(0), coarser.count(1), coarser.count(2)});
+    all = all && marked[order.number(at)];
   });
   return all;
 }

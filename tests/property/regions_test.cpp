@@ -134,6 +134,34 @@ TEST(Regions, theWaysOfBytesDoNotMatter) {
   }
 }
 
+TEST(Regions, ofStreamsWhoseIndexHasPagesReadTheirOwn) {
+  const auto field = sampled("gyroid", {129, 129, 145}, gyroid(41));
+  const Bytes bytes = inChunks(field);
+  const Mesh whole = decoded(bytes, kInGrid);
+  const auto share = [&](const Region& region) {
+    Decoder ranges = decoderOfRegion(region), pushed = decoderOfRegion(region),
+            pieces = decoderOfRegion(region);
+    const uint64_t read = readWanted(bytes, ranges);
+    EXPECT_TRUE(ranges.isFinal());
+    const Mesh mesh = meshOf(ranges, kInGrid);
+    EXPECT_EQ(verticesWithin(mesh, region), verticesWithin(whole, region));
+    expectClosed(mesh, field.size);
+    pushed.accept(bytes);
+    readWanted(bytes, pieces, 999);
+    for (Decoder* other : {&pushed, &pieces}) {
+      while (other->advance()) {
+      }
+      EXPECT_TRUE(other->isFinal());
+      EXPECT_EQ(meshOf(*other, kInGrid).positions, mesh.positions);
+    }
+    return static_cast<double>(read) / static_cast<double>(bytes.size());
+  };
+  EXPECT_LT(share({{100, 100, 0}, {120, 120, 20}, Frame::Grid}), 0.15);
+  EXPECT_LT(share({{30, 30, 130}, {40, 100, 144}, Frame::Grid}), 0.2);
+  EXPECT_LT(share({{500, 0, 0}, {600, 1, 1}, Frame::Grid}), 0.12);
+  EXPECT_EQ(share({{-1, -1, -1}, {200, 200, 200}, Frame::Grid}), 1);
+}
+
 TEST(Regions, tornOnesShowClosedSurfaces) {
   const auto field = fieldsWithDetail()[0];
   const Bytes bytes = inChunks(field);

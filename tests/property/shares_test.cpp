@@ -143,6 +143,20 @@ TEST(Shares, ofLosslessTetrahedraToo) {
   EXPECT_EQ(shares.mesh(shown).indices, decoded(bytes, shown).indices);
 }
 
+TEST(Shares, ofAStreamWhoseIndexHasPagesToo) {
+  const Bytes bytes = inChunks(sampled("gyroid", {129, 129, 145}, gyroid(41)));
+  const MeshOptions shown{Polygonizer::Cubes, Frame::World, false};
+  for (const std::optional<Region>& region :
+       {std::optional<Region>(), {{{90, 90, 90}, {100, 100, 144}, Frame::Grid}}}) {
+    Shares shares(bytes, 3, region);
+    while (shares.advance()) {
+    }
+    ASSERT_TRUE(shares.first().isFinal());
+    if (!region) EXPECT_EQ(shares.mesh(shown).positions, decoded(bytes, shown).positions);
+    expectClosed(shares.mesh({Polygonizer::Cubes, Frame::Grid, false}), {129, 129, 145});
+  }
+}
+
 TEST(Shares, ofARegionToo) {
   const auto field = dividedFields()[0];
   const Bytes bytes = inChunks(field);

@@ -2,7 +2,7 @@
 #include <numeric>
 #include <thread>
 
-#include "container/stream.h"
+#include "container/index.h"
 #include "exact_crossings.h"
 #include "surface_checks.h"
 

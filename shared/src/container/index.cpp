@@ -1,13 +1,19 @@
-// Reads and writes the index and the sections of streams in chunks.
+// Reads the index of streams in chunks, and its pages.
+#include "container/index.h"
+
+#include <algorithm>
+
 #include "container/crc.h"
 #include "container/layer_fields.h"
-#include "container/stream.h"
 
 namespace isostar {
 namespace {
 
-constexpr uint64_t kShort = 1024;          // shorter sections have checksums of 16 bits
-constexpr uint64_t kLongest = 1ull << 40;  // of a section, so that sums do not overflow
+constexpr uint64_t kShort = 1024;                 // shorter sections have checksums of 16 bits
+constexpr uint64_t kLongest = uint64_t{1} << 40;  // of a section, so that sums do not overflow
+constexpr uint64_t kMostInPage = kChunksPerPage * (kLongest + 4);
+constexpr uint64_t kLongestPage = kChunksPerPage * 6;
+constexpr uint64_t kBytesPerSection = 2 * sizeof(uint64_t);
 constexpr uint32_t kMostFilter = 2;
 
 /// Does the head of a layer say how its level is shown? A refinement of one chunk codes it.
@@ -15,9 +21,38 @@ bool hasFilter(LayerKind kind, uint64_t chunks) {
   return kind == LayerKind::Refinement && chunks > 1;
 }
 
-/// OverLimit if it has more than `most` sections. Corrupt if the entry does not fit the header;
-/// otherwise `in` may have come to its end.
-Error readHead(ByteReader& in, const Header& header, uint64_t most, LayerHead& head) {
+/// Calls visit(length) for the lengths of the next `chunks` sections, and adds up their bytes with
+/// checksums. Corrupt or Truncated: fewer could be read.
+template <class Visit>
+Error readLengths(ByteReader& in, uint64_t chunks, uint64_t& sum, Visit visit) {
+  for (uint64_t chunk = 0; chunk < chunks; ++chunk) {
+    const uint64_t length = in.varint();
+    if (in.malformed() || length > kLongest) return Error::Corrupt;
+    if (in.overrun()) return Error::Truncated;
+    visit(length);
+    sum += length + checksumBytes(length);
+  }
+  return Error::None;
+}
+
+/// Of a layer that has pages.
+Error readPages(ByteReader& in, uint64_t pages, LayerHead& head) {
+  head.pages.reserve(static_cast<std::size_t>(std::min<uint64_t>(pages, in.left())));
+  while (head.pages.size() < pages) {
+    IndexPage page{in.varint()};
+    if (page.bytes != 0) page.sections = in.varint();
+    if (in.malformed() || page.bytes > kLongestPage || page.sections > kMostInPage)
+      return Error::Corrupt;
+    if (in.overrun()) return Error::Truncated;
+    head.pages.push_back(page);
+    head.bytes += page.sections;
+  }
+  return Error::None;
+}
+
+/// OverLimit if its lists take more than `memory` bytes. Corrupt if the entry does not fit the
+/// header; otherwise `in` may have come to its end.
+Error readHead(ByteReader& in, const Header& header, uint64_t memory, LayerHead& head) {
   const uint32_t first = in.u8(), error = in.u8();
   if (in.overrun()) return Error::Truncated;
   if (!readFields(first, error, header, head)) return Error::Corrupt;
@@ -25,79 +60,50 @@ Error readHead(ByteReader& in, const Header& header, uint64_t most, LayerHead& h
   if (chunks > kMostSections) return Error::Corrupt;
   if (hasFilter(head.kind, chunks)) head.filter = static_cast<uint8_t>(in.u8());
   if (head.filter > kMostFilter) return Error::Corrupt;
-  if (chunks > most) return Error::OverLimit;
+  if (chunks * kBytesPerSection > memory) return Error::OverLimit;
+  if (chunks > kChunksPerPage)
+    return readPages(in, (chunks + kChunksPerPage - 1) / kChunksPerPage, head);
   head.sections.reserve(static_cast<std::size_t>(std::min<uint64_t>(chunks, in.left())));
-  for (uint64_t chunk = 0; chunk < chunks && !in.overrun(); ++chunk) {
-    const uint64_t length = in.varint();
-    if (in.malformed() || length > kLongest) return Error::Corrupt;
-    head.sections.push_back(length);
-    head.bytes += length + checksumBytes(length);
-  }
-  return in.overrun() ? Error::Truncated : Error::None;
+  return readLengths(in, chunks, head.bytes,
+                     [&](uint64_t length) { head.sections.push_back(length); });
+}
+
+uint32_t seededChecksum(std::initializer_list<uint64_t> seeds, std::span<const std::byte> bytes) {
+  const auto sumOf = [&](auto crc) -> uint32_t {
+    for (const uint64_t number : seeds) {
+      for (int shift = 0; shift < 32; shift += 8) crc.add(static_cast<uint8_t>(number >> shift));
+    }
+    crc.add(bytes);
+    return crc.sum();
+  };
+  return bytes.size() < kShort ? sumOf(Crc16()) : sumOf(Crc32());
 }
 
 }  // namespace
 
-std::size_t checksumBytes(uint64_t section) {
-  return section == 0 ? 0 : section < kShort ? 2 : 4;
-}
-
-uint32_t checksum(uint32_t identity, std::size_t layer, std::size_t chunk,
-                  std::span<const std::byte> section) {
-  const auto sumOf = [&](auto crc) -> uint32_t {
-    for (const uint64_t number : {uint64_t{identity}, uint64_t{layer}, uint64_t{chunk}}) {
-      for (int shift = 0; shift < 32; shift += 8) crc.add(static_cast<uint8_t>(number >> shift));
-    }
-    crc.add(section);
-    return crc.sum();
-  };
-  return section.size() < kShort ? sumOf(Crc16()) : sumOf(Crc32());
-}
-
-void append(std::vector<std::byte>& out, const Header& header, std::vector<LayerHead> heads,
-            const std::vector<LayerSections>& layers) {
-  std::vector<std::byte> index;
-  ByteWriter entries(index);
-  uint64_t sections = 0;
-  entries.u8(heads.size());
-  for (std::size_t i = 0; i < heads.size(); ++i) {
-    writeFields(entries, heads[i]);
-    if (hasFilter(heads[i].kind, layers[i].size())) entries.u8(heads[i].filter);
-    for (const auto& section : layers[i]) {
-      entries.varint(section.size());
-      sections += section.size() + checksumBytes(section.size());
-    }
+uint64_t memoryOf(std::span<const LayerHead> heads, const Header& header) {
+  uint64_t sum = 0, longest = 0;
+  for (const LayerHead& head : heads) {
+    sum += head.pages.size() * sizeof(IndexPage);
+    const uint64_t lists = header.chunks(head.level) * kBytesPerSection;
+    if (head.pages.empty())
+      sum += lists;
+    else
+      longest = std::max(longest, lists);
   }
-  constexpr std::size_t kSum = 4;
-  Header whole = header;
-  whole.bytes = index.size() + kSum + sections;
-  const std::size_t start = out.size();
-  ByteWriter writer(out);
-  write(writer, whole);
-  out.insert(out.end(), index.begin(), index.end());
-  Crc32 crc;
-  crc.add(std::span<const std::byte>(out).subspan(start));
-  const uint32_t identity = crc.sum();
-  writer.u32(identity);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    for (std::size_t chunk = 0; chunk < layers[i].size(); ++chunk) {
-      const auto& section = layers[i][chunk];
-      const uint32_t sum = checksum(identity, i, chunk, section);
-      if (checksumBytes(section.size()) == 2) writer.u16(sum);
-      if (checksumBytes(section.size()) == 4) writer.u32(sum);
-      out.insert(out.end(), section.begin(), section.end());
-    }
-  }
+  return sum + longest;
 }
 
 Error readEntries(ByteReader& in, const Header& header, uint64_t memory,
                   std::vector<LayerHead>& out) {
   std::vector<LayerHead> heads(in.u8());
-  uint64_t most = memory / kBytesPerSection;
-  for (LayerHead& head : heads) {
-    if (const Error error = readHead(in, header, most, head); error != Error::None) return error;
-    most -= head.sections.size();
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const uint64_t used = memoryOf(std::span(heads).first(i), header);
+    if (used > memory) return Error::OverLimit;
+    if (const Error error = readHead(in, header, memory - used, heads[i]); error != Error::None)
+      return error;
   }
+  if (memoryOf(heads, header) > memory) return Error::OverLimit;
   out = std::move(heads);
   return in.overrun() ? Error::Truncated : Error::None;
 }
@@ -107,19 +113,62 @@ Error readIndex(std::span<const std::byte> stream, std::size_t start, const Head
   ByteReader r(stream.subspan(start));
   std::vector<LayerHead> heads;
   if (const Error error = readEntries(r, header, memory, heads); error != Error::None) return error;
-  uint64_t bytes = 0;
+  uint64_t left = header.bytes;
   for (const LayerHead& head : heads) {
-    if (head.bytes > header.bytes - bytes) return Error::Corrupt;
-    bytes += head.bytes;
+    const uint64_t bytes = pageBytes(head) + head.bytes;
+    if (bytes > left) return Error::Corrupt;
+    left -= bytes;
   }
   const std::size_t length = r.position();
   const uint32_t sum = r.u32();
   if (r.overrun()) return Error::Truncated;
   Crc32 crc;
   crc.add(stream.first(start + length));
-  if (sum != crc.sum() || r.position() + bytes != header.bytes) return Error::Corrupt;
+  if (sum != crc.sum() || r.position() != left) return Error::Corrupt;
   out = {std::move(heads), sum, start + r.position()};
   return Error::None;
+}
+
+std::size_t checksumBytes(uint64_t length) {
+  return length == 0 ? 0 : length < kShort ? 2 : 4;
+}
+
+uint32_t checksum(uint32_t identity, std::size_t layer, std::size_t chunk,
+                  std::span<const std::byte> section) {
+  return seededChecksum({identity, layer, chunk}, section);
+}
+
+uint64_t wholeBytes(const IndexPage& page) {
+  return checksumBytes(page.bytes) + page.bytes;
+}
+
+uint64_t pageBytes(const LayerHead& head) {
+  uint64_t sum = 0;
+  for (const IndexPage& page : head.pages) sum += wholeBytes(page);
+  return sum;
+}
+
+uint32_t pageChecksum(uint32_t identity, std::size_t layer, std::size_t page,
+                      std::span<const std::byte> bytes) {
+  return checksum(identity, layer, static_cast<std::size_t>(kMostSections) + page, bytes);
+}
+
+Error readPage(std::span<const std::byte> bytes, uint32_t identity, std::size_t layer,
+               std::size_t page, LayerHead& head) {
+  if (bytes.empty()) return Error::None;
+  ByteReader in(bytes);
+  const std::size_t length = checksumBytes(head.pages[page].bytes);
+  const uint32_t sum = length == 2 ? in.u16() : in.u32();
+  if (sum != pageChecksum(identity, layer, page, bytes.subspan(length))) return Error::Corrupt;
+  const auto first = page * static_cast<std::size_t>(kChunksPerPage);
+  auto next = head.sections.begin() + static_cast<std::ptrdiff_t>(first);
+  uint64_t sections = 0;
+  const Error error =
+      readLengths(in, std::min<uint64_t>(kChunksPerPage, head.sections.size() - first), sections,
+                  [&](uint64_t section) { *next++ = section; });
+  const bool isRight =
+      error == Error::None && in.left() == 0 && sections == head.pages[page].sections;
+  return isRight ? Error::None : Error::Corrupt;
 }
 
 }  // namespace isostar

@@ -96,11 +96,9 @@ ISOSTAR_COLD ChunkChoice::ChunkChoice(const Header& header, const std::optional<
 }
 
 bool ChunkBox::has(std::size_t chunk) const {
+  const auto place = ZOrder<3>(count).place(chunk);
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto places = static_cast<std::size_t>(count[a]);
-    const auto at = static_cast<int32_t>(chunk % places);
-    if (at < first[a] || at > last[a]) return false;
-    chunk /= places;
+    if (place[a] < first[a] || place[a] > last[a]) return false;
   }
   return true;
 }
@@ -111,15 +109,37 @@ bool ChunkChoice::hasAny(const LayerHead& head) const {
   return !isNone_ && (head.kind == LayerKind::Refinement || head.level == finestLevel_);
 }
 
+const ChunkBox& ChunkChoice::boxOf(const LayerHead& head) const {
+  return head.kind == LayerKind::Refinement ? signs_[static_cast<std::size_t>(head.level)]
+                                            : geometry_;
+}
+
 ISOSTAR_COLD bool ChunkChoice::has(const LayerHead& head, std::size_t chunk) const {
-  if (signs_.empty() || head.sections.size() == 1) return true;
-  const ChunkBox& box =
-      head.kind == LayerKind::Refinement ? signs_[static_cast<std::size_t>(head.level)] : geometry_;
-  return hasAny(head) && box.has(chunk);
+  if (isWhole() || head.sections.size() == 1) return true;
+  return hasAny(head) && boxOf(head).has(chunk);
+}
+
+ISOSTAR_COLD bool ChunkChoice::hasPage(const LayerHead& head, std::size_t page) const {
+  if (isWhole()) return true;
+  if (!hasAny(head)) return false;
+  const ChunkBox& box = boxOf(head);
+  const auto first = page * static_cast<std::size_t>(kChunksPerPage);
+  const std::size_t end =
+      std::min(first + static_cast<std::size_t>(kChunksPerPage), ZOrder<3>(box.count).total());
+  bool any = false;
+  for (std::size_t chunk = first; chunk < end && !any; ++chunk) any = box.has(chunk);
+  return any;
+}
+
+ISOSTAR_COLD uint64_t ChunkChoice::bytesOfPages(const LayerHead& head) const {
+  uint64_t sum = 0;
+  for (std::size_t i = 0; i < head.pages.size(); ++i)
+    sum += hasPage(head, i) ? wholeBytes(head.pages[i]) : 0;
+  return sum;
 }
 
 ISOSTAR_COLD uint64_t ChunkChoice::bytes(const LayerHead& head) const {
-  if (signs_.empty()) return head.bytes;
+  if (isWhole()) return head.bytes;
   uint64_t sum = 0;
   for (std::size_t i = 0; i < head.sections.size(); ++i) {
     if (has(head, i)) sum += head.sections[i] + checksumBytes(head.sections[i]);
@@ -127,20 +147,33 @@ ISOSTAR_COLD uint64_t ChunkChoice::bytes(const LayerHead& head) const {
   return sum;
 }
 
-ISOSTAR_COLD std::vector<ByteRange> ChunkChoice::ranges(std::span<const LayerHead> heads,
-                                                        uint64_t start) const {
-  std::vector<ByteRange> ranges;
-  for (const LayerHead& head : heads) {
-    for (std::size_t i = 0; i < head.sections.size(); ++i) {
-      const uint64_t end = start + head.sections[i] + checksumBytes(head.sections[i]);
-      if (end > start && has(head, i)) {
-        if (ranges.empty() || ranges.back().end != start) ranges.push_back({start, start});
-        ranges.back().end = end;
-      }
-      start = end;
+ISOSTAR_COLD bool ChunkChoice::addRanges(const LayerHead& head, uint64_t start,
+                                         std::vector<ByteRange>& ranges) const {
+  const auto add = [&](uint64_t bytes, bool isChosen) {
+    if (bytes != 0 && isChosen) {
+      if (ranges.empty() || ranges.back().end != start) ranges.push_back({start, start});
+      ranges.back().end = start + bytes;
+    }
+    start += bytes;
+  };
+  if (isWhole()) return add(pageBytes(head) + head.bytes, true), true;
+  if (!hasAny(head)) return true;
+  if (!head.pages.empty() && head.sections.empty()) {
+    for (std::size_t i = 0; i < head.pages.size(); ++i)
+      add(wholeBytes(head.pages[i]), hasPage(head, i));
+    return false;
+  }
+  start += pageBytes(head);
+  for (std::size_t i = 0; i < head.sections.size(); ++i) {
+    const std::size_t page = i / static_cast<std::size_t>(kChunksPerPage);
+    if (head.pages.empty() || hasPage(head, page)) {
+      add(head.sections[i] + checksumBytes(head.sections[i]), has(head, i));
+    } else {
+      start += head.pages[page].sections;
+      i += static_cast<std::size_t>(kChunksPerPage) - 1;
     }
   }
-  return ranges;
+  return true;
 }
 
 }  // namespace isostar

@@ -3,13 +3,14 @@
 
 #include <optional>
 
-#include "container/stream.h"
+#include "container/index.h"
+#include "grid/lattice.h"
 
 namespace isostar {
 
 /// Chunks between two places on each axis, both included.
 struct ChunkBox {
-  std::array<int32_t, 3> first, last, count;  // count: of the level
+  Coordinates<3> first, last, count;  // count: of the level
 
   [[nodiscard]] bool has(std::size_t chunk) const;
 };
@@ -24,13 +25,21 @@ class ChunkChoice {
   [[nodiscard]] bool has(const LayerHead& head, std::size_t chunk) const;
   /// Is any chunk of a layer chosen?
   [[nodiscard]] bool hasAny(const LayerHead& head) const;
-  /// The bytes of a layer that are wanted.
+  /// Are all bytes of all layers chosen?
+  [[nodiscard]] bool isWhole() const { return signs_.empty(); }
+  /// Does a page name any chosen chunk?
+  [[nodiscard]] bool hasPage(const LayerHead& head, std::size_t page) const;
+  /// The bytes of a layer's pages that are wanted.
+  [[nodiscard]] uint64_t bytesOfPages(const LayerHead& head) const;
+  /// The bytes of a layer that are wanted, behind its pages.
   [[nodiscard]] uint64_t bytes(const LayerHead& head) const;
-  /// Where the chosen bytes of layers lie, of which the first one begins at `start`.
-  [[nodiscard]] std::vector<ByteRange> ranges(std::span<const LayerHead> heads,
-                                              uint64_t start) const;
+  /// Adds where the wanted bytes of a layer lie, which begins, or whose pages begin, at `start`.
+  /// False if they are not known before its pages are read: then only these.
+  bool addRanges(const LayerHead& head, uint64_t start, std::vector<ByteRange>& ranges) const;
 
  private:
+  [[nodiscard]] const ChunkBox& boxOf(const LayerHead& head) const;
+
   int finestLevel_ = 0;
   bool isNone_ = false;          // the region lies beside the volume
   std::vector<ChunkBox> signs_;  // by level; empty: all chunks

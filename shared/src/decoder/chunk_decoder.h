@@ -56,14 +56,18 @@ class ChunkDecoder {
   /// of a level that have not arrived, or are not wanted, are shown as the level before.
   Outcome decode(const LayerHead& head, Reconstruction::Sections sections, bool torn,
                  CodecState<D>& whole, Budget& budget) {
-    const uint64_t lists = kBytesOfLists * head.sections.size();
-    if (lists > budget.memory) return {Error::OverLimit};
+    const uint64_t lists = kBytesOfLists * head.sections.size(),
+                   walks = kDecisionsPerChunk * head.sections.size();
+    if (lists > budget.memory || walks > budget.decisions) return {Error::OverLimit};
     budget.memory -= lists;
+    budget.decisions -= walks;
     return head.kind == LayerKind::Refinement ? refine(head, sections, torn, whole, budget)
                                               : pass(head, sections, torn, whole, budget);
   }
 
  private:
+  /// What it costs to pass by a chunk, even an empty one, as Limits::decisions count it.
+  static constexpr uint64_t kDecisionsPerChunk = 16;
   /// So many chunks share what is left: no order of work may spend more.
   static constexpr std::size_t kTogether = 16;
 

@@ -3,29 +3,36 @@
 
 #include <bit>
 
-#include "container/stream.h"
+#include "container/index.h"
 #include "util/cold_path.h"
 
 namespace isostar {
 
 /// Each chunk of a level belongs to one share, so that shares have about as many bytes of the
-/// level. Layers of one chunk belong to all.
+/// level, or of its first layer if that has pages. Layers of one chunk belong to all.
 class ChunkShares {
  public:
   ISOSTAR_COLD ChunkShares(const Header& header, std::span<const LayerHead> heads,
                            const Share& share)
-      : number_(share.number) {
+      : number_(share.number), of_(share.of) {
     if (share.of == 1) return;
     owners_.resize(static_cast<std::size_t>(header.finestLevel()) + 1);
     for (std::size_t level = 0; level < owners_.size(); ++level) {
       std::vector<uint64_t> bytes;
       for (const LayerHead& head : heads) {
-        if (static_cast<std::size_t>(head.level) != level || head.sections.size() == 1) continue;
+        if (static_cast<std::size_t>(head.level) != level || head.sections.size() <= 1) continue;
         bytes.resize(head.sections.size());
         for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] += head.sections[i];
       }
       owners_[level] = divided(bytes, share.of);
     }
+  }
+
+  /// Divides a level whose first layer's pages have been read.
+  ISOSTAR_COLD void divide(const LayerHead& first) {
+    if (!areSeveral()) return;
+    auto& owners = owners_[static_cast<std::size_t>(first.level)];
+    if (owners.empty()) owners = divided(first.sections, of_);
   }
 
   /// Is the whole divided among several decoders?
@@ -54,7 +61,7 @@ class ChunkShares {
     return owners;
   }
 
-  const int number_;
+  const int number_, of_;
   std::vector<std::vector<int>> owners_;  // by level, then by chunk; empty: one share
 };
 

@@ -22,6 +22,8 @@ void StreamDecoder::accept(std::span<const std::byte> bytes, uint64_t from) {
   accepted = from + bytes.size();
   if (error != Error::None || finished) return;
   if (!in.accept(bytes, from, limits.memory)) fail(Error::OverLimit);
+  if (error == Error::None && !heads) readHeader();
+  if (wants.isOpen && in.bytes().size() >= wants.at + wants.pages) chooseBytes();
 }
 
 ISOSTAR_COLD bool StreamDecoder::readHeader() {
@@ -40,8 +42,8 @@ ISOSTAR_COLD bool StreamDecoder::readHeader() {
   if (found.header().vertices > limits.vertices) return fail(Error::OverLimit);
   heads = std::move(found);
   info = describeHeader(*heads);
-  chooseBytes();
   shown = offset = at = heads->start();
+  chooseLayers();
   shares.emplace(heads->header(), heads->indexed(), share);
   Limits left = limits;
   left.memory -= heads->memory();
@@ -51,16 +53,51 @@ ISOSTAR_COLD bool StreamDecoder::readHeader() {
   return true;
 }
 
-ISOSTAR_COLD void StreamDecoder::chooseBytes() {
+ISOSTAR_COLD void StreamDecoder::chooseLayers() {
   choice.emplace(heads->header(), region);
   const auto indexed = heads->indexed();
   if (indexed.empty()) {
-    in.want({{heads->start(), heads->end()}}, heads->start());
+    in.want({{offset, heads->end()}}, false, at);
     return;
   }
-  in.want(choice->ranges(indexed, heads->start()), heads->start());
+  wants.start = offset;
+  wants.at = at;
+  chooseBytes();
   wantedLayers = indexed.size();
   while (wantedLayers > 0 && !choice->hasAny(indexed[wantedLayers - 1])) --wantedLayers;
+}
+
+/// Wants bytes of all layers up to the next pages that have not arrived.
+ISOSTAR_COLD void StreamDecoder::chooseBytes() {
+  const auto indexed = heads->indexed();
+  std::vector<ByteRange> ranges;
+  const auto add = [&](const LayerHead& head) {
+    if (!choice->addRanges(head, wants.start, ranges)) return false;
+    wants.start += pageBytes(head) + head.bytes;
+    ++wants.layer;
+    return true;
+  };
+  do {
+    ranges.clear();
+    if (wants.isOpen) {
+      // If they are damaged, that is found when their layer is decoded.
+      LayerHead head = indexed[wants.layer];
+      if (readPages(head, wants.layer, wants.at) != Error::None) return;
+      wants.at += wants.pages;
+      add(head);
+    }
+    const std::size_t first = wants.at;
+    while (wants.layer < indexed.size() && add(indexed[wants.layer])) {
+    }
+    for (const ByteRange& range : ranges)
+      wants.at += static_cast<std::size_t>(range.end - range.begin);
+    wants.isOpen = wants.layer < indexed.size();
+    wants.pages = 0;
+    if (wants.isOpen)
+      wants.pages = static_cast<std::size_t>(choice->bytesOfPages(indexed[wants.layer]));
+    wants.at -= wants.pages;
+    in.want(ranges, wants.isOpen, first);
+  } while (wants.isOpen);
 }
 
 /// Finds the sections of a layer in its bytes, as far as these have arrived; the last one may be
@@ -104,14 +141,48 @@ ISOSTAR_COLD bool StreamDecoder::decodeTorn(const LayerHead& head,
   return better;
 }
 
-/// The head of the next layer that is wanted; `used`: its bytes before the layer.
-ISOSTAR_COLD Error StreamDecoder::nextHead(LayerHead& head, std::size_t& used) {
+/// Finds the head of the next layer that is wanted.
+ISOSTAR_COLD Error StreamDecoder::nextHead() {
   for (;;) {
-    const Error e = heads->next(in.bytes(), at, info.layers.size(), head, used);
-    if (e != Error::None || choice->hasAny(head)) return e;
-    addLayer(info, heads->header(), head, used, static_cast<std::size_t>(offset));
-    offset += head.bytes;
+    const Error e = heads->next(in.bytes(), at, info.layers.size(), inWork, headBytes);
+    if (e != Error::None || choice->hasAny(inWork)) return e;
+    offset += headBytes;
+    addLayer(info, heads->header(), inWork, headBytes, static_cast<std::size_t>(offset));
+    offset += inWork.bytes;
   }
+}
+
+/// Reads the wanted pages of a layer that begin at `from` in the bytes that have arrived.
+/// Truncated: they have not all arrived.
+ISOSTAR_COLD Error StreamDecoder::readPages(LayerHead& head, std::size_t layer,
+                                            std::size_t from) const {
+  head.sections.resize(static_cast<std::size_t>(heads->header().chunks(head.level)));
+  auto bytes = in.bytes().subspan(from);
+  for (std::size_t page = 0; page < head.pages.size(); ++page) {
+    if (!choice->hasPage(head, page)) continue;
+    const auto length = static_cast<std::size_t>(wholeBytes(head.pages[page]));
+    if (bytes.size() < length) return Error::Truncated;
+    const Error e = readPage(bytes.first(length), heads->identity(), layer, page, head);
+    if (e != Error::None) return e;
+    bytes = bytes.subspan(length);
+  }
+  return Error::None;
+}
+
+/// Reads the head of the next layer that is wanted, and its pages. False if that needs more bytes,
+/// or on an error.
+ISOSTAR_COLD bool StreamDecoder::readHead() {
+  Error e = nextHead();
+  headWanted = headBytes;
+  if (e == Error::None && !inWork.pages.empty()) {
+    headWanted = static_cast<std::size_t>(choice->bytesOfPages(inWork));
+    e = in.bytes().size() - at < headWanted ? Error::Truncated
+                                            : readPages(inWork, info.layers.size(), at);
+    if (e == Error::None) shares->divide(inWork);
+  }
+  isHeadRead = e == Error::None;
+  if (!isHeadRead && (e != Error::Truncated || finished)) fail(e);
+  return isHeadRead;
 }
 
 ISOSTAR_COLD bool StreamDecoder::advance() {
@@ -122,9 +193,8 @@ ISOSTAR_COLD bool StreamDecoder::advance() {
     return e == Error::None ? finishLayer() : fail(e);
   }
   if (isFinal()) return false;
-  const Error e = nextHead(inWork, headBytes);
-  if (e != Error::None) return e == Error::Truncated && !finished ? false : fail(e);
-  const auto rest = in.bytes().subspan(at + headBytes);
+  if (!isHeadRead && !readHead()) return false;
+  const auto rest = in.bytes().subspan(at + headWanted);
   const uint64_t length = choice->bytes(inWork);
   if (rest.size() < length) return finished && decodeTorn(inWork, rest);
   if (!findSections(inWork, rest.first(static_cast<std::size_t>(length))))
@@ -138,7 +208,8 @@ ISOSTAR_COLD bool StreamDecoder::advance() {
 
 /// Goes on behind a layer that is decoded.
 bool StreamDecoder::finishLayer() {
-  at += headBytes + static_cast<std::size_t>(choice->bytes(inWork));
+  isHeadRead = false;
+  at += headWanted + static_cast<std::size_t>(choice->bytes(inWork));
   addLayer(info, heads->header(), inWork, headBytes, static_cast<std::size_t>(offset + headBytes));
   shown = offset += headBytes + inWork.bytes;
   rms = inWork.error;

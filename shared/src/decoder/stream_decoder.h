@@ -18,8 +18,11 @@ struct StreamDecoder {
   void accept(std::span<const std::byte> bytes, uint64_t offset);
   bool advance();
   bool readHeader();
+  void chooseLayers();
   void chooseBytes();
-  Error nextHead(LayerHead& head, std::size_t& used);
+  Error nextHead();
+  bool readHead();
+  Error readPages(LayerHead& head, std::size_t layer, std::size_t from) const;
   bool findSections(const LayerHead& head, std::span<const std::byte> bytes);
   bool finishLayer();
   bool decodeTorn(const LayerHead& head, std::span<const std::byte> bytes);
@@ -53,9 +56,19 @@ struct StreamDecoder {
   Error error = Error::None;
   std::optional<StreamHeads> heads;  // once header and index have arrived
   std::optional<ChunkChoice> choice;
+  /// Up to which layer it is known what is wanted.
+  struct {
+    bool isOpen = false;    // is there one whose pages have not been read?
+    std::size_t layer = 0;  // the first of these
+    uint64_t start = 0;     // where in the stream its pages begin
+    std::size_t at = 0;     // the same in `in`
+    std::size_t pages = 0;  // bytes of its pages that are wanted
+  } wants;
   std::optional<ChunkShares> shares;
-  LayerHead inWork;           // the head of the layer in work
-  std::size_t headBytes = 0;  // of it, before the layer
+  LayerHead inWork;  // the head of the layer in work
+  bool isHeadRead = false;
+  std::size_t headBytes = 0;   // of it, or of its pages, before the layer
+  std::size_t headWanted = 0;  // of these: those that are wanted
   std::size_t wantedLayers = SIZE_MAX;
   StreamInfo info;
   bool tornShown = false;

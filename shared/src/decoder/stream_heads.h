@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "container/stream.h"
+#include "container/index.h"
 #include "util/cold_path.h"
 
 namespace isostar {
@@ -32,11 +32,7 @@ class StreamHeads {
   /// Of all layers of a stream in chunks.
   [[nodiscard]] std::span<const LayerHead> indexed() const { return index_.heads; }
   /// Bytes of the index.
-  [[nodiscard]] uint64_t memory() const {
-    uint64_t sections = 0;
-    for (const LayerHead& head : index_.heads) sections += head.sections.size();
-    return sections * kBytesPerSection;
-  }
+  [[nodiscard]] uint64_t memory() const { return memoryOf(index_.heads, header_); }
   [[nodiscard]] uint32_t identity() const { return index_.identity; }
   /// Where the header ends, with the index.
   [[nodiscard]] std::size_t start() const { return header_.chunkSide != 0 ? index_.end : start_; }
@@ -48,14 +44,15 @@ class StreamHeads {
     return header_.chunkSide != 0 ? layer == index_.heads.size() : at == end();
   }
   /// Reads the head of the layer that begins at `at`, the number `layer` of the stream. Corrupt if
-  /// head and layer do not fit into the rest. `used`: of its bytes.
+  /// head and layer do not fit into the rest. `used`: the bytes of the head, or those of its pages,
+  /// which are not read.
   ISOSTAR_COLD Error next(std::span<const std::byte> stream, std::size_t at, std::size_t layer,
                           LayerHead& head, std::size_t& used) const {
     if (layer == kMostLayers) return Error::Corrupt;
     if (header_.chunkSide != 0) {
       if (layer == index_.heads.size()) return Error::Corrupt;
-      used = 0;
       head = index_.heads[layer];
+      used = static_cast<std::size_t>(pageBytes(head));
       return Error::None;
     }
     const uint64_t left = end() - at;

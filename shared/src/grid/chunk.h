@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/signs.h"
+#include "grid/z_order.h"
 #include "util/cold_path.h"
 
 namespace isostar {
@@ -71,11 +72,7 @@ class ChunkGrid {
     for (int a = 0; a < D; ++a) count_[a] = std::max(1, (level.last[a] + side - 1) / side);
   }
 
-  [[nodiscard]] std::size_t total() const {
-    std::size_t total = 1;
-    for (const int32_t n : count_) total *= static_cast<std::size_t>(n);
-    return total;
-  }
+  [[nodiscard]] std::size_t total() const { return ZOrder<D>(count_).total(); }
   /// How many chunks there are on an axis.
   [[nodiscard]] int32_t count(int axis) const { return count_[axis]; }
   /// The chunk, by its place on an axis, that owns a plane.
@@ -91,29 +88,21 @@ class ChunkGrid {
   /// Calls visit(number) for a chunk and those beside it.
   template <class Visit>
   void forEachAround(std::size_t number, Visit visit) const {
-    Coordinates<D> low, high;
+    const ZOrder<D> order(count_);
+    auto low = order.place(number), high = low;
     for (int a = 0; a < D; ++a) {
-      const auto count = static_cast<std::size_t>(count_[a]);
-      const auto at = static_cast<int32_t>(number % count);
-      number /= count;
-      low[a] = std::max(at - 1, 0);
-      high[a] = std::min(at + 1, count_[a] - 1);
+      low[a] = std::max(low[a] - 1, 0);
+      high[a] = std::min(high[a] + 1, count_[a] - 1);
     }
-    forEachBetween<D>(low, high, [&](const Coordinates<D>& at) {
-      std::size_t around = 0;
-      for (int a = D - 1; a >= 0; --a)
-        around = around * static_cast<std::size_t>(count_[a]) + static_cast<std::size_t>(at[a]);
-      visit(around);
-    });
+    forEachBetween<D>(low, high, [&](const Coordinates<D>& at) { visit(order.number(at)); });
   }
-  /// Chunk 0 … total() - 1, the first axis being the fastest.
+  /// Chunk 0 … total() - 1, in Z-order.
   [[nodiscard]] ISOSTAR_COLD Chunk<D> chunk(std::size_t number) const {
     Chunk<D> chunk;
     Coordinates<D> box;
+    const auto place = ZOrder<D>(count_).place(number);
     for (int a = 0; a < D; ++a) {
-      const auto count = static_cast<std::size_t>(count_[a]);
-      const auto at = static_cast<int32_t>(number % count);
-      number /= count;
+      const int32_t at = place[a];
       const bool last = at + 1 == count_[a];
       chunk.begin[a] = at * (side_ / kBrickSide);
       chunk.end[a] = last ? table_.count(a) : (at + 1) * (side_ / kBrickSide);

@@ -20,7 +20,7 @@ export class Session {
   #team: Team | undefined; // which #own belongs to
   readonly #accepted: Piece[] = []; // as long as they may be needed again
   #isFinished = false;
-  #hasHeader = false;
+  #statedEnd = 0; // of the bytes that were stated to be needed
   #shown = 0; // the position of the last surface
   #isovalue: number | undefined;
   #decodeTime = 0;
@@ -147,11 +147,12 @@ export class Session {
     return false;
   }
 
-  /** States which bytes are needed. From the header on that does not change any more. */
+  /** States which bytes are needed, whenever it turns out that these are more. */
   #want(inbox: Inbox): void {
-    if (!this.#hasHeader) {
-      this.#hasHeader = this.#own.levels > 0;
-      inbox.want([...this.#own.wanted()]);
+    if (!this.#own.wanted(this.#statedEnd).next().done) {
+      const ranges = [...this.#own.wanted()];
+      this.#statedEnd = ranges.at(-1)!.end;
+      inbox.want(ranges);
     }
     if (this.#own.wanted().next().done) inbox.close();
   }

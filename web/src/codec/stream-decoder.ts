@@ -89,9 +89,9 @@ export class StreamDecoder {
     return this.#run(() => this.#raw.takeResults(this.#fill(results)));
   }
 
-  /** The bytes that are needed, in order. */
-  *wanted(): Generator<ByteRange, void> {
-    for (let at = 0; ;) {
+  /** The bytes at `from` or after that are needed, in order. */
+  *wanted(from = 0): Generator<ByteRange, void> {
+    for (let at = from; ;) {
       const [begin, end] = [this.#raw.wantedBegin(at), this.#raw.wantedEnd(at)];
       if (begin === end) return;
       yield { begin, end };

@@ -3,7 +3,7 @@
 
 #include "coding/exchange/exchange.h"
 #include "coding/geometry/geometry_pass.h"
-#include "container/stream.h"
+#include "container/index.h"
 
 namespace isostar {
 
