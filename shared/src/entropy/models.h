@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "entropy/range_coder.h"
+#include "util/cold_path.h"
 #include "util/simd.h"
 
 namespace isostar {
@@ -75,6 +76,11 @@ class BitModel {
   /// Codes one decision with this model alone, and learns from it.
   template <class Coder>
   bool bit(Coder& coder, bool actual) {
+    return hotBit(coder, actual);
+  }
+  /// The same, inlined: for the places where most decisions are.
+  template <class Coder>
+  ISOSTAR_HOT bool hotBit(Coder& coder, bool actual) {
     const bool value = coder.bit(actual, this->value());
     learn<127>(value);
     return value;

@@ -57,6 +57,10 @@ class BrickTable {
       total *= static_cast<std::size_t>(count_[a]);
     }
     total_ = total;
+    for (std::size_t n = 0; n < offsets_.size(); ++n) {
+      for (int a = 0; a < D; ++a)
+        offsets_[n] += static_cast<std::size_t>(int64_t{kDirections[n][a]}) * stride_[a];
+    }
   }
 
   [[nodiscard]] std::size_t total() const { return total_; }
@@ -69,11 +73,28 @@ class BrickTable {
   }
   static constexpr std::size_t kNowhere = SIZE_MAX;
   using Around = std::array<std::size_t, power(3, D)>;
+  /// The directions to the 3^D bricks around a brick, in the order of around().
+  static constexpr std::array<Coordinates<D>, power(3, D)> kDirections = [] {
+    std::array<Coordinates<D>, power(3, D)> directions{};
+    for (std::size_t n = 0; n < directions.size(); ++n) {
+      std::size_t digits = n;
+      for (std::size_t a = 0; a < D; ++a, digits /= 3)
+        directions[n][a] = static_cast<int32_t>(digits % 3) - 1;
+    }
+    return directions;
+  }();
   /// The indices of the 3^D bricks around a brick, itself in the middle, the first axis being the
   /// fastest. kNowhere for bricks outside the table.
   [[gnu::noinline]] Around around(const Coordinates<D>& brick) const {
     Around brickIndices;
-    alongAxis<D - 1>(brick, index(brick), brickIndices.data());
+    const std::size_t own = index(brick);
+    bool interior = true;
+    for (int a = 0; a < D; ++a) interior = interior && brick[a] > 0 && brick[a] + 1 < count_[a];
+    if (!interior) {
+      alongAxis<D - 1>(brick, own, brickIndices.data());
+      return brickIndices;
+    }
+    for (std::size_t n = 0; n < brickIndices.size(); ++n) brickIndices[n] = own + offsets_[n];
     return brickIndices;
   }
   /// The index of the brick that holds a vertex.
@@ -114,6 +135,7 @@ class BrickTable {
   std::array<int32_t, D> count_{};
   std::array<std::size_t, D> stride_{};
   std::size_t total_ = 0;
+  Around offsets_{};  // of the indices of bricks around one
 };
 
 }  // namespace isostar

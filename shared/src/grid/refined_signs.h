@@ -2,6 +2,7 @@
 // the surface may touch.
 #pragma once
 
+#include <cstring>
 #include <optional>
 
 #include "grid/signs.h"
@@ -37,6 +38,7 @@ Signs<D> refined(const Signs<D>& coarse) {
   // Each bit of a nibble twice.
   static constexpr std::array<uint8_t, 16> kTwice{0x00, 0x03, 0x0C, 0x0F, 0x30, 0x33, 0x3C, 0x3F,
                                                   0xC0, 0xC3, 0xCC, 0xCF, 0xF0, 0xF3, 0xFC, 0xFF};
+  constexpr std::size_t kOddRows = (power(kBrickSide, D - 1) - 1) / (kBrickSide - 1);
   Signs<D> fine(coarse.lattice().finer());
   const auto& table = fine.table();
   Coordinates<D> at{};
@@ -53,14 +55,15 @@ Signs<D> refined(const Signs<D>& coarse) {
       continue;
     }
     const auto& parent = coarse.brick(index).rows;
+    std::size_t first = 0;  // the row of the coarser brick at which this one begins
+    for (int a = D - 1; a >= 1; --a)
+      first = first * kBrickSide + static_cast<std::size_t>((at[a] & 1) * 4);
     Brick<D> brick;
-    Coordinates<D> v{};
-    for (auto& row : brick.rows) {
-      std::size_t parentRow = 0;
-      for (int a = D - 1; a >= 1; --a)
-        parentRow = parentRow * kBrickSide + static_cast<std::size_t>((at[a] & 1) * 4 + v[a] / 2);
-      row = kTwice[parent[parentRow] >> ((at[0] & 1) * 4) & 15];
-      for (int a = 1; a < D && ++v[a] == kBrickSide; ++a) v[a] = 0;
+    for (std::size_t r = 0; r < brick.rows.size(); ++r) {
+      // A row's number has an octal digit for each axis: halved, they are those of its parent.
+      const std::size_t even = r & ~kOddRows;
+      brick.rows[r] =
+          even == r ? kTwice[parent[first + even / 2] >> ((at[0] & 1) * 4) & 15] : brick.rows[even];
     }
     fine.put(brickIndex, brick);
   }
@@ -177,20 +180,31 @@ Signs<D> coarsened(const Signs<D>& fine) {
 /// Does the side of a brick that faces the direction -d have a vertex whose sign is not `uniform`?
 template <int D>
 bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t uniform) {
-  const unsigned mask = d[0] == 0 ? 0xFFu : d[0] > 0 ? 0x01u : 0x80u;
-  const unsigned flip = uniform == Signs<D>::kPositive ? 0xFFu : 0u;
+  // Eight rows, all of a plane on axes 0 and 1, are one word.
+  constexpr uint64_t kEach = 0x0101010101010101;
+  constexpr int kTop = kBrickSide - 1;
+  const uint64_t column = d[0] == 0  ? ~uint64_t{0}
+                          : d[0] > 0 ? kEach
+                                     : kEach << kTop,
+                 row = d[1] == 0  ? ~uint64_t{0}
+                       : d[1] > 0 ? uint64_t{0xFF}
+                                  : uint64_t{0xFF} << kTop * kBrickSide,
+                 flip = uniform == Signs<D>::kPositive ? ~uint64_t{0} : 0;
   Coordinates<D> from{}, to{};
-  for (int a = 1; a < D; ++a) {
-    from[a] = d[a] < 0 ? kBrickSide - 1 : 0;
-    to[a] = d[a] > 0 ? 0 : kBrickSide - 1;
+  for (int a = 2; a < D; ++a) {
+    from[a] = d[a] < 0 ? kTop : 0;
+    to[a] = d[a] > 0 ? 0 : kTop;
   }
+  uint64_t varies = 0;
   for (auto v = from;;) {
-    std::size_t r = 0;
-    for (int a = D - 1; a >= 1; --a) r = r * kBrickSide + static_cast<std::size_t>(v[a]);
-    if (((brick.rows[r] ^ flip) & mask) != 0) return true;
-    int a = 1;
+    std::size_t plane = 0;
+    for (int a = D - 1; a >= 2; --a) plane = plane * kBrickSide + static_cast<std::size_t>(v[a]);
+    uint64_t word;
+    std::memcpy(&word, &brick.rows[plane * kBrickSide], sizeof word);
+    varies |= word ^ flip;
+    int a = 2;
     for (; a < D && ++v[a] > to[a]; ++a) v[a] = from[a];
-    if (a == D) return false;
+    if (a == D) return (varies & column & row) != 0;
   }
 }
 
@@ -198,16 +212,14 @@ bool facingVaries(const Brick<D>& brick, const Coordinates<D>& d, uint32_t unifo
 template <int D>
 bool touchesOther(const Signs<D>& signs, std::size_t brickIndex, const Coordinates<D>& at) {
   const uint32_t uniform = signs.slot(brickIndex);
-  Coordinates<D> d;
-  d.fill(-1);
-  for (const std::size_t other : signs.table().around(at)) {
-    if (other != BrickTable<D>::kNowhere) {
-      const uint32_t index = signs.slot(other);
-      if (index <= Signs<D>::kPositive ? index != uniform
-                                       : facingVaries<D>(signs.brick(index), d, uniform))
-        return true;
-    }
-    for (int a = 0; a < D && ++d[a] == 2; ++a) d[a] = -1;
+  const auto around = signs.table().around(at);
+  for (std::size_t n = 0; n < around.size(); ++n) {
+    if (around[n] == BrickTable<D>::kNowhere) continue;
+    const uint32_t index = signs.slot(around[n]);
+    if (index == uniform) continue;
+    if (index <= Signs<D>::kPositive ||
+        facingVaries<D>(signs.brick(index), BrickTable<D>::kDirections[n], uniform))
+      return true;
   }
   return false;
 }
@@ -255,13 +267,14 @@ template <int D>
 void activateAround(const Signs<D>& signs, std::size_t brickIndex, std::vector<uint8_t>& active) {
   const auto& table = signs.table();
   active[brickIndex] = 1;
-  Coordinates<D> d;  // the direction from a neighbour to the brick
-  d.fill(1);
-  for (const std::size_t other : table.around(table.brick(brickIndex))) {
+  const auto around = table.around(table.brick(brickIndex));
+  for (std::size_t n = 0; n < around.size(); ++n) {
+    const std::size_t other = around[n];
+    // The direction from the neighbour to the brick is that of the opposite neighbour.
+    const auto& d = BrickTable<D>::kDirections[around.size() - 1 - n];
     if (other != BrickTable<D>::kNowhere && active[other] == 0 &&
         facingVaries<D>(signs.brickAt(brickIndex), d, signs.slot(other)))
       active[other] = 1;
-    for (int a = 0; a < D && --d[a] == -2; ++a) d[a] = 1;
   }
 }
 

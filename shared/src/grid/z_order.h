@@ -48,7 +48,7 @@ class ZOrder {
   /// Goes down to one place. isAbove(axis, first place of the upper half, places in the lower half)
   /// chooses between halves that both have places.
   template <class IsAbove>
-  [[nodiscard]] Coordinates<D> descend(IsAbove isAbove) const {
+  Coordinates<D> descend(IsAbove isAbove) const {
     Coordinates<D> low{}, size = count_;
     for (int32_t half = side_ / 2; half > 0; half /= 2) {
       for (int a = D - 1; a >= 0; --a) {

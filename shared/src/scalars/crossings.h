@@ -110,9 +110,12 @@ struct EdgeEnds {
     for (int a = 0; a < D; ++a) {
       even[a] = odd[a] = brick[a] * kBrickSide + static_cast<int32_t>(local);
       if ((axes >> a & 1) != 0) {
-        const bool isOdd = (local & 1) != 0;
-        (isOdd ? even : odd)[a] += 1;
-        (isOdd ? evenAt : oddAt) += ScalarWindow<D>::stride(a);
+        // Without a branch, which would be mispredicted often.
+        const auto isOdd = static_cast<int32_t>(local & 1);
+        even[a] += isOdd;
+        odd[a] += 1 - isOdd;
+        evenAt += isOdd * ScalarWindow<D>::stride(a);
+        oddAt += (1 - isOdd) * ScalarWindow<D>::stride(a);
       }
       local = r % kBrickSide;
       r /= kBrickSide;

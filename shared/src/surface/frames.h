@@ -33,17 +33,18 @@ namespace isostar {
 class Frames {
  public:
   Frames(const Lattice<3>& lattice, const Placement& p, Frame frame)
-      : lattice_(lattice), world_(frame == Frame::World), matrix_(stepsOf(p)) {
+      : lattice_(lattice), world_(frame == Frame::World) {
+    if (!world_) return;
+    matrix_ = stepsOf(p);
     for (int a = 0; a < 3; ++a) origin_[a] = p.origin[static_cast<std::size_t>(a)];
-    if (world_) gradient_ = glm::transpose(glm::inverse(matrix_));
+    gradient_ = glm::transpose(glm::inverse(matrix_));
   }
-  /// The sample at a vertex of the lattice.
-  [[nodiscard]] glm::dvec3 sample(const Coordinates<3>& v) const {
-    return {lattice_.sample(0, v[0]), lattice_.sample(1, v[1]), lattice_.sample(2, v[2])};
-  }
-  /// A sample, or a point between samples, in the chosen frame.
-  [[nodiscard]] glm::dvec3 position(const glm::dvec3& sample) const {
-    return world_ ? origin_ + matrix_ * sample : sample;
+  /// What a plane of the lattice adds to the position of a vertex on it, in the chosen frame. Axis
+  /// 0 adds the origin, too.
+  [[nodiscard]] glm::dvec3 part(int axis, int32_t plane) const {
+    const double sample = lattice_.sample(axis, plane);
+    const glm::dvec3 part = matrix_[axis] * sample;
+    return axis == 0 ? origin_ + part : part;
   }
   /// A gradient by samples as one in the chosen frame, of any length.
   [[nodiscard]] glm::dvec3 normal(const glm::dvec3& gradient) const {
@@ -56,7 +57,7 @@ class Frames {
   Lattice<3> lattice_;
   bool world_;
   glm::dvec3 origin_{};
-  glm::dmat3 matrix_, gradient_{1.0};
+  glm::dmat3 matrix_{1.0}, gradient_{1.0};
 };
 
 }  // namespace isostar

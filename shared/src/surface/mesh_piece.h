@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "surface/brick_places.h"
 #include "surface/cell_cuts.h"
 #include "surface/edge_numbers.h"
-#include "surface/frames.h"
 #include "surface/surface.h"
 
 namespace isostar {
@@ -73,6 +73,7 @@ class MeshPiece {
   void placeVertices(std::size_t slot) {
     const auto brick = signs_.table().brick(numbers_.brickIndex(slot));
     scalars_.load(surface_.scalars, signs_.table(), brick);
+    places_.enter(frames_, brick);
     if (surface_.domain != nullptr) domain_.load(*surface_.domain, signs_.table(), brick);
     for (unsigned axes = 1; axes <= numbers_.lastAxes(); ++axes) {
       if (!numbers_.uses(axes)) continue;
@@ -82,7 +83,7 @@ class MeshPiece {
         for (; open != 0; open &= open - 1, ++id) {
           const auto at = static_cast<unsigned>(std::countr_zero(open));
           ids_[EdgePositions::at(axes, at % kBrickSide, at / kBrickSide, z)] = id;
-          placeVertex(brick, axes, z, at, id - shift_);
+          placeVertex(axes, z, at, id - shift_);
         }
       }
     }
@@ -96,13 +97,12 @@ class MeshPiece {
   }
 
   /// `place`: of the vertex in `out`.
-  void placeVertex(const Coordinates<3>& brick, unsigned axes, unsigned z, unsigned at,
-                   uint32_t place) {
-    const EdgeEnds<3> ends(brick, z * kBrickSide + at / kBrickSide, at % kBrickSide, axes);
+  void placeVertex(unsigned axes, unsigned z, unsigned at, uint32_t place) {
+    const EdgeEnds<3> ends({}, z * kBrickSide + at / kBrickSide, at % kBrickSide, axes);
     const double from = size(ends.evenAt), to = size(ends.oddAt);
     const double t = from + to > 0 ? from / (from + to) : 0.5;
-    const glm::dvec3 start = frames_.sample(ends.even), end = frames_.sample(ends.odd);
-    write(out_.positions, place, frames_.position(start + t * (end - start)));
+    const BrickPlaces::Place point = places_.between(ends.even, ends.odd, t);
+    write(out_.positions, place, point.xy[0], point.xy[1], point.z[0]);
     if (surface_.domain != nullptr) depth_[place] = static_cast<float>(depthOf(ends, t));
     if (!normals_) return;
     glm::dvec3 gradient;
@@ -114,7 +114,8 @@ class MeshPiece {
     }
     const glm::dvec3 normal = frames_.normal(gradient);
     const double length = glm::length(normal);
-    write(out_.normals, place, length > 0 ? normal / -length : glm::dvec3{0, 0, 1});
+    const glm::dvec3 unit = length > 0 ? normal / -length : glm::dvec3{0, 0, 1};
+    write(out_.normals, place, unit.x, unit.y, unit.z);
   }
 
   /// By how much a vertex on an edge lies inside the domain. A stream for Polygonizer::Cubes does
@@ -152,11 +153,11 @@ class MeshPiece {
     return weight > 0 ? sum / weight : 0;
   }
 
-  static void write(std::vector<float>& values, uint32_t place, const glm::dvec3& v) {
+  static void write(std::vector<float>& values, uint32_t place, double x, double y, double z) {
     float* at = &values[std::size_t{place} * 3];
-    at[0] = static_cast<float>(v.x);
-    at[1] = static_cast<float>(v.y);
-    at[2] = static_cast<float>(v.z);
+    at[0] = static_cast<float>(x);
+    at[1] = static_cast<float>(y);
+    at[2] = static_cast<float>(z);
   }
 
   /// Finds the vertices of the next bricks that this brick's last cells need.
@@ -238,6 +239,7 @@ class MeshPiece {
   std::array<uint32_t, EdgePositions::kCount> ids_{};  // of the vertices around the current brick
   std::size_t corners_ = 0;                            // of triangles so far
   uint32_t shift_ = 0;
+  BrickPlaces places_;  // of the current brick
   ScalarWindow<3> scalars_, domain_;
 };
 

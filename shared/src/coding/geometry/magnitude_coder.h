@@ -87,8 +87,10 @@ class MagnitudeCoder {
     auto target = exchange.rdoqTarget(brickIndex, r, x, neighbour, pass.allowed);
     target.choose(interval.middle, uint32_t{1} << interval.width,
                   [&](uint32_t magnitude) { return settled(interval, magnitude, pass.selective); });
-    for (int count = 0; count < pass.most && moves(interval, pass.selective); ++count)
+    int count = 0;
+    do {
       halve(exchange, interval, guess, target, pass);
+    } while (++count < pass.most && moves(interval, pass.selective));
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
     if (pass.fitted) fit_->update(r, x, brick.value[v]);
@@ -125,9 +127,9 @@ class MagnitudeCoder {
         [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
         [&](auto& coder) {
           const bool isUpper = target.upper(whole.middle);
-          return pass.fitted
-                     ? fit_->upper(coder, isUpper, whole.middle, width, fineness, probability)
-                     : probability.bit(coder, isUpper);
+          if (pass.fitted)
+            return fit_->upper(coder, isUpper, whole.middle, width, fineness, probability);
+          return probability.hotBit(coder, isUpper);
         });
     const uint32_t half = uint32_t{1} << width;
     interval.middle += upper ? half : -half;
