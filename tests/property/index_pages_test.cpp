@@ -71,8 +71,9 @@ TEST(IndexPages, damagedOnesAreCorruptAtTheirTurn) {
       damaged[at + i] ^= std::byte{4};
       for (const bool isRegion : {false, true}) {
         Decoder decoder;
-        if (isRegion)
+        if (isRegion) {
           EXPECT_EQ(decoder.setRegion({{0, 0, 0}, {9, 9, 70}, Frame::Grid}), Error::None);
+        }
         decoder.accept(damaged);
         while (decoder.advance()) {
         }
