@@ -7,7 +7,12 @@ namespace isostar {
 template <>
 std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header& header, const Limits& limits,
                                                     const RunTasks& runTasks) {
-  if (header.adaptive) return std::make_unique<AdaptiveReconstruction<3>>(header, limits, runTasks);
+  if constexpr (kDecodesAll) {
+    if (header.adaptive)
+      return std::make_unique<AdaptiveReconstruction<3>>(header, limits, runTasks);
+  } else {
+    if (!header.isDefault()) return nullptr;
+  }
   return std::make_unique<UniformReconstruction<3>>(header, limits, runTasks);
 }
 
