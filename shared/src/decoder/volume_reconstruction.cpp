@@ -7,12 +7,7 @@ namespace isostar {
 template <>
 std::unique_ptr<Reconstruction> reconstructionIn<3>(const Header& header, const Limits& limits,
                                                     const RunTasks& runTasks) {
-  if constexpr (kDecodesAll) {
-    if (header.adaptive)
-      return std::make_unique<AdaptiveReconstruction<3>>(header, limits, runTasks);
-  } else {
-    if (!header.isDefault()) return nullptr;
-  }
+  if (header.adaptive) return std::make_unique<AdaptiveReconstruction<3>>(header, limits, runTasks);
   return std::make_unique<UniformReconstruction<3>>(header, limits, runTasks);
 }
 

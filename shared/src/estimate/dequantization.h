@@ -35,7 +35,7 @@ class Dequantization {
       11;  // in sixteenths of half an interval: the furthest that a scalar is moved
   static constexpr int kGainBits = 12;
 
-  void brick(const BrickTable<D>& table, const Scalars<D>& coded, std::size_t brickIndex, int finer,
+  [[gnu::noinline]] void brick(const BrickTable<D>& table, const Scalars<D>& coded, std::size_t brickIndex, int finer,
              Scalars<D>& shown) {
     const auto& intervals = coded.at(brickIndex);
     if (refined(intervals)) return;
