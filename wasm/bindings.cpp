@@ -1,16 +1,15 @@
-// The raw WebAssembly module: the public C++ API, under the same names. web/src/codec/raw.ts
-// declares it for TypeScript; stream-decoder.ts beside it is its only caller in the package.
+// The raw module that decodes everything: RawDecoder by Embind. web/src/codec/raw.ts declares it
+// for TypeScript; stream-decoder.ts beside it is its only caller in the package.
 #include <emscripten/bind.h>
 
-#include <isostar/isostar.h>
-
-#include <algorithm>
+#include "raw_decoder.h"
 
 using emscripten::val;
+using isostar::RawDecoder;
 
 namespace {
 
-// Not inlined, and for few types: the smaller module. JavaScript has one type of number.
+// Not inlined, and for few types: the smaller module.
 
 template <class Number>
 [[gnu::noinline]] val arrayOf(const Number* begin, size_t length) {
@@ -25,12 +24,6 @@ val arrayOf(const Numbers& numbers) {
 }
 [[gnu::noinline]] void put(val& out, const char* name, double value) {
   put(out, name, val(value));
-}
-
-/// A view into this module's memory, valid until the next call into the module.
-template <class Number>
-val viewOf(const std::vector<Number>& numbers) {
-  return val(emscripten::typed_memory_view(numbers.size(), numbers.data()));
 }
 
 val describeLayer(const isostar::LayerInfo& layer, const std::vector<double>& isovalues) {
@@ -68,96 +61,42 @@ val describeStream(const isostar::StreamInfo& info) {
   return out;
 }
 
-/// A limit from JavaScript. NaN leaves the default; 2^63 and infinity mean no limit.
-void setLimit(uint64_t& limit, double wanted) {
-  if (wanted >= 0) limit = static_cast<uint64_t>(std::min(wanted, 0x1p63));
+template <class Number>
+val viewOf(std::span<const Number> numbers) {
+  return val(emscripten::typed_memory_view(numbers.size(), numbers.data()));
 }
 
-isostar::Limits limitsOf(double memory, double samples, double vertices, double decisions) {
-  isostar::Limits limits;
-  setLimit(limits.memory, memory);
-  setLimit(limits.samples, samples);
-  setLimit(limits.vertices, vertices);
-  setLimit(limits.decisions, decisions);
-  return limits;
+val room(RawDecoder& decoder, size_t n) {
+  return viewOf(decoder.room(n));
 }
-
-class RawDecoder {
- public:
-  RawDecoder(double memory, double samples, double vertices, double decisions)
-      : decoder_(limitsOf(memory, samples, vertices, decisions)) {}
-
-  /// A view of n bytes of this module's memory, to be filled immediately, before accept(n, …).
-  val room(size_t n) {
-    room_.resize(n);
-    return viewOf(room_);
-  }
-  /// `offset`: where in the stream the bytes begin.
-  void accept(size_t n, double offset) { decoder_.accept(given(n), static_cast<uint64_t>(offset)); }
-  /// Of the first wanted bytes at `from` or after.
-  double wantedBegin(double from) const { return double(wanted(from).begin); }
-  double wantedEnd(double from) const { return double(wanted(from).end); }
-  std::string setRegion(double x0, double y0, double z0, double x1, double y1, double z1,
-                        isostar::Frame frame) {
-    return isostar::name(decoder_.setRegion({{x0, y0, z0}, {x1, y1, z1}, frame}));
-  }
-
-  std::string setShare(int number, int of) {
-    return isostar::name(decoder_.setShare({number, of}));
-  }
-  bool needsOthers() const { return decoder_.needsOthers(); }
-  /// Valid until the next call.
-  val results() {
-    results_ = decoder_.results();
-    return val(emscripten::typed_memory_view(results_.size(),
-                                             reinterpret_cast<const uint8_t*>(results_.data())));
-  }
-  bool takeResults(size_t n) { return decoder_.takeResults(given(n)); }
-
-  void finish() { decoder_.finish(); }
-  /// Frees the last mesh first: decoding may need its memory.
-  bool advance() {
-    mesh_ = {};
-    return decoder_.advance();
-  }
-
-  bool isFinal() const { return decoder_.isFinal(); }
-  int level() const { return decoder_.level(); }
-  int levels() const { return decoder_.levels(); }
-  double bytes() const { return double(decoder_.bytes()); }
-  val info() const { return describeStream(decoder_.info()); }
-  std::string error() const { return isostar::name(decoder_.error()); }
-  std::string describeError() const { return isostar::describe(decoder_.error()); }
-
-  std::string makeMesh(isostar::Polygonizer polygonizer, isostar::Frame frame, bool normals,
-                       double isovalue) {
-    isostar::MeshOptions options{polygonizer, frame, normals};
-    options.isovalue = isovalue;
-    return isostar::name(decoder_.mesh(options, mesh_, runs_));
-  }
-  val positions() const { return viewOf(mesh_.positions); }
-  val normals() const { return viewOf(mesh_.normals); }
-  val indices() const { return viewOf(mesh_.indices); }
-  /// Four numbers a run: those of MeshRun.
-  val runs() const {
-    return val(emscripten::typed_memory_view(runs_.size() * 4,
-                                             reinterpret_cast<const uint32_t*>(runs_.data())));
-  }
-
- private:
-  isostar::ByteRange wanted(double from) const {
-    return decoder_.wanted(static_cast<uint64_t>(from));
-  }
-  std::span<const std::byte> given(size_t n) const {
-    return std::as_bytes(std::span(room_).first(n));
-  }
-
-  isostar::Decoder decoder_;
-  std::vector<uint8_t> room_;
-  isostar::Mesh mesh_;
-  std::vector<isostar::MeshRun> runs_;
-  std::vector<std::byte> results_;
-};
+val results(RawDecoder& decoder) {
+  return viewOf(decoder.results());
+}
+val info(const RawDecoder& decoder) {
+  return describeStream(decoder.info());
+}
+std::string error(const RawDecoder& decoder) {
+  return isostar::name(decoder.error());
+}
+std::string describeError(const RawDecoder& decoder) {
+  return isostar::describe(decoder.error());
+}
+std::string makeMesh(RawDecoder& decoder, isostar::Polygonizer polygonizer, isostar::Frame frame,
+                     bool normals, double isovalue) {
+  return isostar::name(decoder.makeMesh(polygonizer, frame, normals, isovalue));
+}
+val positions(const RawDecoder& decoder) {
+  return viewOf(decoder.positions());
+}
+val normals(const RawDecoder& decoder) {
+  return viewOf(decoder.normals());
+}
+val indices(const RawDecoder& decoder) {
+  return viewOf(decoder.indices());
+}
+val runs(const RawDecoder& decoder) {
+  return viewOf(decoder.runs());
+}
 
 }  // namespace
 
@@ -178,27 +117,28 @@ EMSCRIPTEN_BINDINGS(isostar) {
 
   emscripten::class_<RawDecoder>("Decoder")
       .constructor<double, double, double, double>()
-      .function("room", &RawDecoder::room)
+      .function("room", &room)
       .function("accept", &RawDecoder::accept)
       .function("wantedBegin", &RawDecoder::wantedBegin)
       .function("wantedEnd", &RawDecoder::wantedEnd)
       .function("setRegion", &RawDecoder::setRegion)
       .function("setShare", &RawDecoder::setShare)
       .function("needsOthers", &RawDecoder::needsOthers)
-      .function("results", &RawDecoder::results)
+      .function("results", &results)
       .function("takeResults", &RawDecoder::takeResults)
       .function("finish", &RawDecoder::finish)
       .function("advance", &RawDecoder::advance)
+      .function("lacks", &RawDecoder::lacks)
       .function("isFinal", &RawDecoder::isFinal)
       .function("level", &RawDecoder::level)
       .function("levels", &RawDecoder::levels)
       .function("bytes", &RawDecoder::bytes)
-      .function("info", &RawDecoder::info)
-      .function("error", &RawDecoder::error)
-      .function("describeError", &RawDecoder::describeError)
-      .function("makeMesh", &RawDecoder::makeMesh)
-      .function("positions", &RawDecoder::positions)
-      .function("normals", &RawDecoder::normals)
-      .function("indices", &RawDecoder::indices)
-      .function("runs", &RawDecoder::runs);
+      .function("info", &info)
+      .function("error", &error)
+      .function("describeError", &describeError)
+      .function("makeMesh", &makeMesh)
+      .function("positions", &positions)
+      .function("normals", &normals)
+      .function("indices", &indices)
+      .function("runs", &runs);
 }

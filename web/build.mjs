@@ -9,45 +9,64 @@ import { gzipSync } from 'node:zlib';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
-rmSync(here('dist'), { recursive: true, force: true });
-const { metafile } = await build({
+const options = {
   absWorkingDir: here('.'),
-  entryPoints: ['index', 'worker', 'three', 'element'].map((entry) => `src/${entry}.ts`),
-  outdir: 'dist',
   bundle: true,
-  splitting: true,
-  minifySyntax: true,
-  minifyIdentifiers: true, // but not white space: an error message shows the line that failed
+  minify: true,
+  lineLimit: 160, // an error message shows the line that failed
   metafile: true,
   format: 'esm',
   target: 'es2022',
-  alias: { 'isostar-wasm': here('../build/wasm/decoder.js') },
   external: ['node:fs/promises', 'three', 'three/*'],
+};
+
+rmSync(here('dist'), { recursive: true, force: true });
+const { metafile } = await build({
+  ...options,
+  entryPoints: ['index', 'worker', 'three', 'element'].map((entry) => `src/${entry}.ts`),
+  outdir: 'dist',
+  splitting: true,
+});
+// Shares nothing with the others: it is loaded by its address.
+await build({
+  ...options,
+  entryPoints: ['../build/wasm/decoder-all.js'],
+  outfile: 'dist/decoder-all.js',
 });
 const typescript = createRequire(import.meta.url).resolve('typescript/bin/tsc');
 execFileSync(process.execPath, [typescript, '-p', here('.')], { stdio: 'inherit' });
-copyFileSync(here('../build/wasm/decoder.wasm'), here('dist/decoder.wasm'));
+for (const name of ['decoder', 'decoder-all'])
+  copyFileSync(here(`../build/wasm/${name}.wasm`), here(`dist/${name}.wasm`));
 copyFileSync(here('../LICENSE'), here('dist/LICENSE'));
 copyFileSync(here('THIRD-PARTY.md'), here('dist/THIRD-PARTY.md'));
 // No package is bundled; THIRD-PARTY.md would have to list it.
 const bundled = Object.keys(metafile.inputs).filter((path) => path.includes('node_modules/'));
 if (bundled.length > 0) throw new Error(`bundled without a licence: ${bundled.join(', ')}`);
 
-/** What a page downloads for an entry: the entry itself and all that it imports. */
+/** The files that a page downloads for one: itself and all that it imports at once. */
 function closure(file, files = new Set()) {
   if (files.has(file)) return files;
   files.add(file);
-  for (const { path, external } of metafile.outputs[file].imports)
-    if (!external) closure(path, files);
+  for (const { path, kind, external } of metafile.outputs[file].imports)
+    if (!external && kind === 'import-statement') closure(path, files);
   return files;
 }
 const gzipped = (path) => gzipSync(readFileSync(here(path)), { level: 9 }).length;
+const sum = (files) => [...files].reduce((total, path) => total + gzipped(path), 0);
 const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
 
+const [page, worker] = ['src/remote/remote-decoder.ts', 'src/worker.ts'].map((source) =>
+  Object.keys(metafile.outputs).find((path) => metafile.outputs[path].entryPoint === source),
+);
+const script = sum(closure(worker));
+const pageScript = sum(closure(page, closure('dist/index.js', closure(worker)))) - script;
 const wasm = gzipped('dist/decoder.wasm');
-const script = [...closure('dist/worker.js')].reduce((sum, path) => sum + gzipped(path), 0);
 console.log(`web/dist: ${readdirSync(here('dist')).length} files and folders`);
 console.log(
   `decoder after gzip: ${kilobytes(wasm)} WebAssembly + ${kilobytes(script)} script` +
-    ` = ${kilobytes(wasm + script)}`,
+    ` = ${kilobytes(wasm + script)}; the page's part of the script: ${kilobytes(pageScript)}`,
+);
+console.log(
+  `for streams that it lacks: ${kilobytes(gzipped('dist/decoder-all.wasm'))} WebAssembly` +
+    ` + ${kilobytes(gzipped('dist/decoder-all.js'))} script`,
 );

@@ -7,10 +7,10 @@ import { pathToFileURL } from 'node:url';
 
 const FEWEST_ROUNDS = 5;
 
-/** The module that web/dist bundles, without the package's script: draco3d has none either. */
+/** The module that decodes everything, without the package's script: draco3d has none either. */
 async function isostarModule(build) {
-  const { default: create } = await import(pathToFileURL(join(build, 'wasm/decoder.js')));
-  return create({ wasmBinary: readFileSync(join(build, 'wasm/decoder.wasm')) });
+  const { default: create } = await import(pathToFileURL(join(build, 'wasm/decoder-all.js')));
+  return create({ wasmBinary: readFileSync(join(build, 'wasm/decoder-all.wasm')) });
 }
 
 function decodeIsostar(module, bytes, normals) {

@@ -33,7 +33,8 @@ export async function makePage() {
     entryNames: 'main',
   });
   await build({ ...options, entryPoints: [join(dist, 'worker.js')] });
-  copyFileSync(join(dist, 'decoder.wasm'), join(folder, 'decoder.wasm'));
+  for (const file of ['decoder.wasm', 'decoder-all.wasm', 'decoder-all.js'])
+    copyFileSync(join(dist, file), join(folder, file));
   mkdirSync(join(folder, 'page'));
   writeFileSync(join(folder, 'page', 'index.html'), PAGE);
   return folder;

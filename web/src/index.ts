@@ -10,7 +10,12 @@ export type { HttpOptions } from './input/http-file.js';
 export type { WasmSource } from './codec/load-module.js';
 
 export interface DecoderOptions {
-  /** The decoder's WebAssembly: its address or its bytes; by default this package's own. */
+  /**
+   * The decoder's WebAssembly: its address or its bytes. By default this package's own
+   * `decoder.wasm` and, when a stream or its options need what that one lacks, `decoder-all.wasm`
+   * with `decoder-all.js`. A file given here is the only one that is used: `decoder-all.wasm`
+   * decodes every stream; with `decoder.wasm` a stream that needs more ends in a `BadArgument`.
+   */
   wasm?: WasmSource | undefined;
   /** Decode in a worker; by default true on pages and false elsewhere. */
   worker?: boolean | undefined;

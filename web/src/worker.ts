@@ -1,7 +1,7 @@
 import { IsostarError } from './api/errors.js';
 import { InboxDecoder } from './codec/inbox-decoder.js';
-import { Instances } from './codec/instances.js';
 import { loadModule } from './codec/load-module.js';
+import { Modules } from './codec/modules.js';
 import type { WholeSurface } from './codec/surface-chunks.js';
 import { Inbox } from './input/inbox.js';
 import { HeldShare } from './remote/held-share.js';
@@ -24,7 +24,7 @@ interface Decode {
  */
 class Service {
   readonly #port: Port;
-  #instances: Instances | undefined;
+  #modules: Modules | undefined;
   #decoder: InboxDecoder | undefined;
   readonly #decodes = new Map<number, Decode>();
   readonly #shares = new Map<number, HeldShare>();
@@ -38,11 +38,7 @@ class Service {
     const { type, id } = request;
     if (type === 'open') return this.#reply(0, () => this.#open(request));
     if (type === 'decode') return void this.#decodes.set(id, this.#begin(request));
-    if (type === 'share')
-      return void this.#shares.set(
-        id,
-        new HeldShare(this.#instances!, request.options, request.share),
-      );
+    if (type === 'share') return void this.#shares.set(id, this.#beginShare(request));
     const decode = this.#decodes.get(id);
     if (decode) return this.#pass(request, decode);
     const share = this.#shares.get(id);
@@ -51,9 +47,9 @@ class Service {
 
   async #open({ wasm, helpers = 0 }: OpenOptions): Promise<Reply> {
     const loaded = await loadModule(wasm);
-    this.#instances = await Instances.of(loaded);
+    this.#modules = await Modules.of(loaded);
     const workers = new Helpers(loaded.compiled, helpers);
-    this.#decoder = new InboxDecoder(this.#instances, (...share) => workers.begin(...share));
+    this.#decoder = new InboxDecoder(this.#modules, (...share) => workers.begin(...share));
     return { type: 'opened', id: 0 };
   }
 
@@ -64,6 +60,15 @@ class Service {
       enough: () => this.#port.postMessage({ type: 'enough', id }),
     });
     return { inbox, surfaces: this.#decoder!.decode(inbox, options) };
+  }
+
+  #beginShare({ options, share, all }: Extract<Request, { type: 'share' }>): HeldShare {
+    const modules = this.#modules!;
+    return new HeldShare(
+      all ? modules.leaseAll(all) : modules.lease(options.polygonizer),
+      options,
+      share,
+    );
   }
 
   async #pass(request: Request, { inbox, surfaces }: Decode): Promise<void> {

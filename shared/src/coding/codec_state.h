@@ -1,11 +1,10 @@
 // The layers of a stream as one traversal for both directions.
 #pragma once
 
-#include "coding/adaptive/adaptive_field.h"
 #include "coding/adaptive/coarser_levels.h"
 #include "coding/geometry/domain_coder.h"
 #include "coding/geometry_state.h"
-#include "coding/isovalues/further_isovalues.h"
+#include "coding/rare_state.h"
 #include "coding/signs/refinement_coder.h"
 #include "container/stream.h"
 #include "grid/refined_signs.h"
@@ -32,11 +31,10 @@ struct CodecState : GeometryState<D> {
       case LayerKind::Refinement:
         return refine(exchange);
       case LayerKind::Domain:
-        return codeDomain(exchange);
       case LayerKind::FurtherSigns:
-        return furtherSigns(exchange, head.level);
       case LayerKind::FurtherGeometry:
-        return furtherGeometry(exchange, pass);
+        if constexpr (kDecodesAll) codeRare(exchange, head, pass);
+        return;
       default:
         return geometry(exchange, pass);
     }
@@ -48,15 +46,12 @@ struct CodecState : GeometryState<D> {
     uint64_t needed, fixed;
   };
   [[nodiscard]] Memory memoryFor(LayerKind layer, LayerKind pass) const {
-    const uint64_t all = memory() + further.memory();
+    if constexpr (kDecodesAll) {
+      if (traitsOf(layer).isFurther) return memoryForFurther(layer, pass);
+    }
     switch (layer) {
       case LayerKind::Refinement:
         return {memoryToRefine(), memoryBesideScalars()};
-      case LayerKind::FurtherSigns:
-        return {all + further.memoryToBegin(first()),
-                all - further.memoryOfIntervals() + signs.table().total()};
-      case LayerKind::FurtherGeometry:
-        return {all + (pass == LayerKind::Exponents ? further.memoryToCode() : 0), 0};
       case LayerKind::Displacement:
         return {memoryForDisplacements(), memory() - displacements.memory() + memoryToFindActive()};
       default:
@@ -64,20 +59,41 @@ struct CodecState : GeometryState<D> {
     }
   }
 
+  /// The layers of further isovalues.
+  [[nodiscard]] Memory memoryForFurther(LayerKind layer, LayerKind pass) const {
+    const auto& further = rare.further;
+    const uint64_t all = memory() + further.memory();
+    if (layer == LayerKind::FurtherSigns)
+      return {all + further.memoryToBegin(first()),
+              all - further.memoryOfIntervals() + signs.table().total()};
+    return {all + (pass == LayerKind::Exponents ? further.memoryToCode() : 0), 0};
+  }
+
+  /// Codes a layer that only RareState has the state of.
+  template <CodecExchange<D> Exchange>
+  void codeRare(Exchange& exchange, const LayerHead& head, const GeometryPass<D>& pass) {
+    if (head.kind == LayerKind::Domain) return codeDomain(exchange);
+    if (head.kind == LayerKind::FurtherSigns) return furtherSigns(exchange, head.level);
+    furtherGeometry(exchange, pass);
+  }
+
   template <CodecExchange<D> Exchange>
   void base(Exchange& exchange) {
-    if (header.keepsTopology && header.finestLevel() > 0) {
-      partial.emplace(header.base<D>());
-      partial->mesh.codeAll(exchange, header.finestLevel());
-    } else {
-      BaseCoder<D>().code(exchange, signs);
+    if constexpr (kDecodesAll) {
+      if (header.keepsTopology && header.finestLevel() > 0) {
+        rare.partial.emplace(header.base<D>());
+        return rare.partial->mesh.codeAll(exchange, header.finestLevel());
+      }
     }
+    BaseCoder<D>().code(exchange, signs);
   }
 
   template <CodecExchange<D> Exchange>
   void refine(Exchange& exchange) {
     const SmoothingFilter shown = codeFilter(exchange);
-    if (partial) return fill(exchange, shown);
+    if constexpr (kDecodesAll) {
+      if (rare.partial) return fill(exchange, shown);
+    }
     Signs<D> finer = refined(signs);
     refinement.code(exchange, finer);
     if (exchange.exhausted()) {  // the level does not change
@@ -115,14 +131,14 @@ struct CodecState : GeometryState<D> {
   /// Fills the next level of a mesh that was welded as far as the topology allows.
   template <CodecExchange<D> Exchange>
   void fill(Exchange& exchange, SmoothingFilter shown) {
-    partial->mesh.fill(exchange, level + 1);
+    rare.partial->mesh.fill(exchange, level + 1);
     if (exchange.exhausted()) return;
     // Used on the finest level only: coarser ones must be shown exactly as the topology plan has
     // checked them.
     filter = shown;
     if (++level < header.finestLevel()) return;
-    signs = partial->mesh.takeSigns();
-    partial.reset();
+    signs = rare.partial->mesh.takeSigns();
+    rare.partial.reset();
   }
 
   /// Shows a level of which only a part was decoded, at the end of a stream.
@@ -148,9 +164,9 @@ struct CodecState : GeometryState<D> {
   template <CodecExchange<D> Exchange>
   ISOSTAR_COLD void codeDomain(Exchange& exchange) {
     findActive();
-    domain = Scalars<D>(active.size());
+    rare.domain = Scalars<D>(active.size());
     DomainCoder<D>(header.domainReach())
-        .code(exchange, signs, active, header.polygonizer == Polygonizer::Tetrahedra, domain);
+        .code(exchange, signs, active, header.polygonizer == Polygonizer::Tetrahedra, rare.domain);
   }
 
   template <CodecExchange<D> Exchange>
@@ -163,16 +179,16 @@ struct CodecState : GeometryState<D> {
   template <CodecExchange<D> Exchange>
   void furtherSigns(Exchange& exchange, int number) {
     const double isovalue = header.furtherIsovalues[static_cast<std::size_t>(number) - 1];
-    further.signs(exchange, first(), isovalue, header.shift(isovalue), header.shiftError());
+    rare.further.signs(exchange, first(), isovalue, header.shift(isovalue), header.shiftError());
   }
 
   /// Codes geometry of the isovalue whose signs were coded last.
   template <CodecExchange<D> Exchange>
   void furtherGeometry(Exchange& exchange, const GeometryPass<D>& pass) {
     if (pass.kind == LayerKind::Exponents)
-      further.exponents(exchange, pass.members, pass.exponentRange);
+      rare.further.exponents(exchange, pass.members, pass.exponentRange);
     else
-      further.magnitudes(exchange, pass.magnitudePass(false));
+      rare.further.magnitudes(exchange, pass.magnitudePass(false));
   }
 
   /// For the first isovalue, on the last complete level.
@@ -185,8 +201,7 @@ struct CodecState : GeometryState<D> {
   [[nodiscard]] uint64_t memory() const { return memoryBesideScalars() + scalars.memory(); }
   [[nodiscard]] uint64_t memoryBesideScalars() const {
     return signs.memory() + unfinished.memory() + refinement.memory() + active.capacity() +
-           (partial ? partial->memory() : 0) + (domain.tableSize() != 0 ? domain.memory() : 0) +
-           displacements.memory() + (coarser.empty() ? 0 : coarser.memory());
+           rare.memory() + displacements.memory() + (coarser.empty() ? 0 : coarser.memory());
   }
   /// Bytes needed to begin the first geometry or domain layer, or to continue.
   [[nodiscard]] uint64_t memoryForScalars() const {
@@ -206,7 +221,9 @@ struct CodecState : GeometryState<D> {
   /// Bytes needed at most to begin the next level: the signs of both levels, and one byte per brick
   /// index.
   [[nodiscard]] uint64_t memoryToRefine() const {
-    if (partial) return memoryBesideScalars() + partial->mesh.memoryToFill(level + 1);
+    if constexpr (kDecodesAll) {
+      if (rare.partial) return memoryBesideScalars() + rare.partial->mesh.memoryToFill(level + 1);
+    }
     return memoryBesideScalars() + BrickTable<D>(signs.lattice().finer()).total() +
            memoryOfRefined(signs);
   }
@@ -215,16 +232,13 @@ struct CodecState : GeometryState<D> {
   Signs<D> signs;
   SmoothingFilter filter = SmoothingFilter::Narrow;  // of the last complete level
   int level;
-  /// Replaces the signs in a stream that preserves the topology, up to its finest level.
-  std::optional<AdaptiveField<D>> partial;
+  RareState<D> rare;
   CoarserLevels<D> coarser;  // below a last level that is known in parts
   Signs<D> unfinished;       // a level of which a part is coded
   SmoothingFilter unfinishedFilter = SmoothingFilter::Narrow;
   std::array<BitModel, 2> filterModel;
   RefinementCoder<D> refinement;
-  Scalars<D> domain;  // of a trimmed stream, as DomainCoder stores them
   ExponentCoder<D> exponents;
-  FurtherIsovalues<D> further;
 };
 
 }  // namespace isostar

@@ -57,6 +57,11 @@ struct Header {
   /// Sets `whole`, the quantization step and the offsets. The first whole number of steps above the
   /// isovalue is positive with magnitude 0.
   void countWhole(double step);
+  /// Is it a volume whose layers a decoder of default streams has the code of?
+  [[nodiscard]] bool isDefault() const {
+    return dimension == 3 && !adaptive && !keepsTopology && !trimmed && !fitted &&
+           furtherIsovalues.empty();
+  }
   /// The same stream relative to another of its isovalues.
   [[nodiscard]] Header at(double other) const;
   /// Is an isovalue one of the stream's, or between two of them?

@@ -8,6 +8,7 @@
 #include "decoder/chunk_shares.h"
 #include "decoder/reconstruction.h"
 #include "decoder/stream_heads.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 
@@ -33,6 +34,7 @@ struct StreamDecoder {
   /// Can a surface be made with these options?
   [[nodiscard]] Error shows(const MeshOptions& options) const {
     if (!reconstruction) return Error::Truncated;
+    if (!kDecodesAll && options.polygonizer == Polygonizer::Tetrahedra) return Error::BadArgument;
     const Header& header = heads->header();
     return header.spans(options.isovalue.value_or(header.isovalue)) ? Error::None
                                                                     : Error::BadArgument;

@@ -118,16 +118,18 @@ class UniformReconstruction : public Reconstruction, private UniformSurfaces<D> 
   /// The base comes first, then each level, with displacements after any of them; then the domain;
   /// then geometry on the finest level; then signs and geometry of each further isovalue.
   [[nodiscard]] bool inOrder(LayerKind kind, int level) const {
-    const int finestLevel = header_.finestLevel(),
-              furtherCoded = static_cast<int>(state_.further.surfaces().size());
-    if (traitsOf(kind).isFurther) {
-      return based_ && state_.level == finestLevel && level >= 1 &&
-             level == furtherCoded + (kind == LayerKind::FurtherSigns ? 1 : 0);
+    const int finestLevel = header_.finestLevel();
+    if constexpr (kDecodesAll) {
+      const int furtherCoded = static_cast<int>(state_.rare.further.surfaces().size());
+      if (traitsOf(kind).isFurther) {
+        return based_ && state_.level == finestLevel && level >= 1 &&
+               level == furtherCoded + (kind == LayerKind::FurtherSigns ? 1 : 0);
+      }
+      if (furtherCoded != 0) return false;
     }
-    if (furtherCoded != 0) return false;
     if (!based_) return kind == LayerKind::Base && level == 0;
     if (state_.level < finestLevel && kind == LayerKind::Displacement)
-      return !state_.partial && level == state_.level;
+      return !isPartial() && level == state_.level;
     if (state_.level < finestLevel)
       return kind == LayerKind::Refinement && level == state_.level + 1;
     if (header_.trimmed && !trims_) return kind == LayerKind::Domain && level == finestLevel;
@@ -137,7 +139,7 @@ class UniformReconstruction : public Reconstruction, private UniformSurfaces<D> 
   }
 
   [[nodiscard]] bool showsTorn(const LayerHead& head, std::size_t bytes) const {
-    if (head.kind == LayerKind::Refinement && state_.partial) return false;
+    if (head.kind == LayerKind::Refinement && isPartial()) return false;
     switch (traitsOf(head.kind).tornFrom) {
       case TornFrom::Never:
         return false;
@@ -162,6 +164,7 @@ class UniformReconstruction : public Reconstruction, private UniformSurfaces<D> 
   using UniformSurfaces<D>::chunks_;
   using UniformSurfaces<D>::trims_;
   using UniformSurfaces<D>::torn_;
+  using UniformSurfaces<D>::isPartial;
   using UniformSurfaces<D>::left;
   using UniformSurfaces<D>::withSurface;
 

@@ -28,13 +28,16 @@ class UniformSurfaces {
   template <class Make>
   Error withSurface(const MeshOptions& options, Make make) const {
     const double isovalue = options.isovalue.value_or(header_.isovalue);
-    const uint64_t held = state_.memory() + state_.further.memory() + chunks_.memory();
-    if (const FurtherSurface<D>* further = state_.further.find(isovalue)) {
-      return withCompleted(
-          {further->signs, further->active, further->scalars, further->coded, {state_.filter}},
-          header_.at(isovalue), options, held, make);
+    uint64_t held = state_.memory() + chunks_.memory();
+    if constexpr (kDecodesAll) {
+      held += state_.rare.further.memory();
+      if (const FurtherSurface<D>* further = state_.rare.further.find(isovalue)) {
+        return withCompleted(
+            {further->signs, further->active, further->scalars, further->coded, {state_.filter}},
+            header_.at(isovalue), options, held, make);
+      }
+      if (isPartial()) return withPartial(held, make);
     }
-    if (state_.partial) return withPartial(held, make);
     if (!state_.coarser.empty()) return withCoarser(held, make);
     if (state_.scalars.tableSize() == 0) return withEstimated(options, held, make);
     // Of a share only the bricks in which scalars are needed.
@@ -43,11 +46,18 @@ class UniformSurfaces {
       kept = state_.active;
       keepOnly(chunks_.share()->beside(), kept);
     }
-    if (isovalue == header_.isovalue)
-      return withCompleted({state_.signs, chunks_.share() ? kept : state_.active, state_.scalars,
-                            state_.coded, state_.hints(), !state_.magnitudesRefined},
-                           header_, options, held, make);
-    return withBetween(isovalue, options, held, make);
+    if constexpr (kDecodesAll) {
+      if (isovalue != header_.isovalue) return withBetween(isovalue, options, held, make);
+    }
+    return withCompleted({state_.signs, chunks_.share() ? kept : state_.active, state_.scalars,
+                          state_.coded, state_.hints(), !state_.magnitudesRefined},
+                         header_, options, held, make);
+  }
+
+  /// Is the last level's mesh one that preserves the topology?
+  [[nodiscard]] bool isPartial() const {
+    if constexpr (kDecodesAll) return state_.rare.partial.has_value();
+    return false;
   }
 
   const Header& header_;
@@ -71,7 +81,8 @@ class UniformSurfaces {
   /// For a mesh that has absent vertices.
   template <class Make>
   Error withPartial(uint64_t held, Make make) const {
-    const auto adaptive = state_.partial->shown(state_.partial->mesh.level(), left(held).memory);
+    const auto adaptive =
+        state_.rare.partial->shown(state_.rare.partial->mesh.level(), left(held).memory);
     if (!adaptive) return Error::OverLimit;
     const double offset = 2 * header_.positiveOffset - 1;
     return make(Surface<D>{adaptive->signs, adaptive->scalars, offset, offset, header_.placement},
@@ -113,10 +124,11 @@ class UniformSurfaces {
 
   template <class Make>
   Error withBetween(double isovalue, const MeshOptions& options, uint64_t held, Make make) const {
-    if (held + Between<D>::memoryToMake(state_.further, state_.first(), isovalue) > limits_.memory)
+    const auto& further = state_.rare.further;
+    if (held + Between<D>::memoryToMake(further, state_.first(), isovalue) > limits_.memory)
       return Error::OverLimit;
     const double steps = (isovalue - header_.isovalue) / header_.quantizationStep;
-    Between<D> between(state_.further, state_.first(), isovalue, steps, header_.positiveOffset);
+    Between<D> between(further, state_.first(), isovalue, steps, header_.positiveOffset);
     held += between.memory();
     const uint64_t completed = memoryCompleted(between.scalars(), between.active());
     if (held + 2 * completed > limits_.memory) return Error::OverLimit;
@@ -130,7 +142,10 @@ class UniformSurfaces {
     for (std::size_t i = 0; i < active.size(); ++i) active[i] = active[i] & marks[i];
   }
 
-  [[nodiscard]] const Scalars<D>* domain() const { return trims_ ? &state_.domain : nullptr; }
+  [[nodiscard]] const Scalars<D>* domain() const {
+    if constexpr (kDecodesAll) return trims_ ? &state_.rare.domain : nullptr;
+    return nullptr;
+  }
 
   /// With scalars, coded or estimated, for all vertices that the polygonizer needs.
   template <class Make>

@@ -53,7 +53,7 @@ class UniformWriter {
         exchange.setLevels(coarse, whole);
         exchange.setFilter(filter_);
       });
-      if (!state_.partial) after(level);
+      if (!state_.rare.partial) after(level);
     };
     // Coarse levels are coded one after the other, each by one task: meanwhile others plan.
     runAll(options_.runTasks, displaces ? 2 : 1, [&](std::size_t task) {
@@ -92,7 +92,7 @@ class UniformWriter {
                                             const std::vector<uint8_t>& changed = {}) {
     if (number_ == 0)
       return check_->beyond(bound, state_.signs, state_.scalars, state_.active, changed);
-    const FurtherSurface<D>& last = state_.further.surfaces().back();
+    const FurtherSurface<D>& last = state_.rare.further.surfaces().back();
     return check_->beyond(bound, last.signs, last.scalars, last.active, changed);
   }
   /// The largest distance of a vertex from the source's, of the isovalue in work, grid steps; as of
@@ -231,7 +231,8 @@ class UniformWriter {
 
   [[nodiscard]] double rms() const {
     const SourceDistance<D>& distance = source_->distance();
-    if (state_.partial) return distance.rms(state_.partial->shown(finestLevel_)->signs, Hints<D>{});
+    if (state_.rare.partial)
+      return distance.rms(state_.rare.partial->shown(finestLevel_)->signs, Hints<D>{});
     if (state_.level < finestLevel_) return distance.rms(state_.signs, state_.hints());
     if (number_ == 0 && !state_.magnitudesRefined && state_.scalars.tableSize() != 0) {
       Scalars<D> shown = state_.scalars.only(distance.bricks());
@@ -242,7 +243,7 @@ class UniformWriter {
       return distance.rms(state_.signs, shown, state_.hints(), finer);
     }
     if (number_ == 0) return distance.rms(state_.signs, state_.scalars, state_.hints());
-    const FurtherSurface<D>& last = state_.further.surfaces().back();
+    const FurtherSurface<D>& last = state_.rare.further.surfaces().back();
     if (last.coded[0]) return distance.rms(last.signs, last.scalars);
     Scalars<D> estimated = last.scalars;
     estimateMissing(last.signs, last.active, Members::AxisEnds, 0, estimated, {state_.filter});

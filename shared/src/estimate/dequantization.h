@@ -35,8 +35,8 @@ class Dequantization {
       11;  // in sixteenths of half an interval: the furthest that a scalar is moved
   static constexpr int kGainBits = 12;
 
-  void brick(const BrickTable<D>& table, const Scalars<D>& coded, std::size_t brickIndex, int finer,
-             Scalars<D>& shown) {
+  [[gnu::noinline]] void brick(const BrickTable<D>& table, const Scalars<D>& coded,
+                               std::size_t brickIndex, int finer, Scalars<D>& shown) {
     const auto& intervals = coded.at(brickIndex);
     if (refined(intervals)) return;
     window_.load(coded, table, table.brick(brickIndex));

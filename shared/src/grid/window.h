@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "grid/signs.h"
+#include "util/cold_path.h"
 
 namespace isostar {
 
@@ -119,8 +120,8 @@ class Window {
   }
 
   /// Replaces rows beyond the lattice by those that they mirror.
-  void mirrorRows(const BricksAround& bricks, const Lattice<D>& lattice,
-                  const Coordinates<D>& brick) {
+  ISOSTAR_COLD void mirrorRows(const BricksAround& bricks, const Lattice<D>& lattice,
+                               const Coordinates<D>& brick) {
     // For each outer axis and plane of the window: which of the three bricks, which row in it, and
     // is it mirrored?
     std::array<std::array<uint8_t, kSide>, D> brickAtPlane{}, rowAt{};
@@ -157,7 +158,7 @@ class Window {
 
   /// Mirrors the bits of rows beyond the lattice on axis 0. All rows have their ends at the same
   /// bits, so that the compiler takes several at a time.
-  void mirrorAlongRows(const Lattice<D>& lattice, int32_t start) {
+  ISOSTAR_COLD void mirrorAlongRows(const Lattice<D>& lattice, int32_t start) {
     const int end = lattice.last[0] - start + kHalo;  // the bit of the last plane
     if (lattice.last[0] < kHalo) {
       for (uint16_t& bits : rows) bits = static_cast<uint16_t>(mirroredFlat(lattice, bits));
@@ -178,7 +179,7 @@ class Window {
   }
 
   /// For a lattice of one or two planes on axis 0, where mirror images are mirrored again.
-  static uint32_t mirroredFlat(const Lattice<D>& lattice, uint32_t bits) {
+  ISOSTAR_COLD static uint32_t mirroredFlat(const Lattice<D>& lattice, uint32_t bits) {
     uint32_t result = 0;
     for (int i = 0; i < kSide; ++i)
       result |= (bits >> (lattice.mirrored(0, i - kHalo) + kHalo) & 1) << i;

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "surface/cell_cut.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 
 class CellCuts {
  public:
   CellCuts(Polygonizer polygonizer, bool mirrored)
-      : parities_(polygonizer == Polygonizer::Cubes ? 1 : 8) {
+      : parities_(kDecodesAll && polygonizer == Polygonizer::Tetrahedra ? 8 : 1) {
     cuts_.reserve(parities_ * 256);
     for (unsigned parity = 0; parity < parities_; ++parity) {
       for (const CellCase& shape : cellTable(polygonizer, parity))

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "util/cold_path.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 namespace {
@@ -163,7 +164,7 @@ ISOSTAR_COLD CellTable tabulate(MakeCase makeCase) {
 }  // namespace
 
 ISOSTAR_COLD const CellTable& cellTable(Polygonizer polygonizer, unsigned parity) {
-  if (polygonizer == Polygonizer::Cubes) {
+  if (!kDecodesAll || polygonizer == Polygonizer::Cubes) {
     static const CellTable kCubes = tabulate(cubesCase);
     return kCubes;
   }

@@ -10,6 +10,7 @@
 #include "surface/corner_signs.h"
 #include "surface/edge_index.h"
 #include "util/cold_path.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 
@@ -43,9 +44,9 @@ class EdgeNumbers {
   /// kNone for a brick without edges.
   [[nodiscard]] uint32_t slot(std::size_t brickIndex) const { return slot_[brickIndex]; }
   /// Along sets of axes from 1 to this one there are edges, as far as uses() says.
-  [[nodiscard]] unsigned lastAxes() const { return polygonizer_ == Polygonizer::Cubes ? 4u : 7u; }
+  [[nodiscard]] unsigned lastAxes() const { return hasDiagonals() ? 7u : 4u; }
   [[nodiscard]] bool uses(unsigned axes) const {
-    return polygonizer_ == Polygonizer::Tetrahedra || std::has_single_bit(axes);
+    return hasDiagonals() || std::has_single_bit(axes);
   }
   [[nodiscard]] const EdgeIndex& of(std::size_t slot, unsigned axes) const {
     return index_[slot * sets() + numbers_[axes]];
@@ -94,7 +95,10 @@ class EdgeNumbers {
         slot_(signs.table().total()) {}
 
   /// How many sets of axes there are along which edges run.
-  [[nodiscard]] std::size_t sets() const { return polygonizer_ == Polygonizer::Cubes ? 3 : 7; }
+  [[nodiscard]] std::size_t sets() const { return hasDiagonals() ? 7 : 3; }
+  [[nodiscard]] bool hasDiagonals() const {
+    return kDecodesAll && polygonizer_ == Polygonizer::Tetrahedra;
+  }
   /// Of a set of axes: its number among those used.
   [[nodiscard]] static std::array<uint8_t, 8> numbersOfSets(Polygonizer polygonizer) {
     if (polygonizer == Polygonizer::Cubes) return {0, 0, 1, 0, 2, 0, 0, 0};

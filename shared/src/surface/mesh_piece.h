@@ -74,7 +74,7 @@ class MeshPiece {
     const auto brick = signs_.table().brick(numbers_.brickIndex(slot));
     scalars_.load(surface_.scalars, signs_.table(), brick);
     places_.enter(frames_, brick);
-    if (surface_.domain != nullptr) domain_.load(*surface_.domain, signs_.table(), brick);
+    if (surface_.isTrimmed()) domain_.load(*surface_.domain, signs_.table(), brick);
     for (unsigned axes = 1; axes <= numbers_.lastAxes(); ++axes) {
       if (!numbers_.uses(axes)) continue;
       for (unsigned z = 0; z < kPlanes; ++z) {
@@ -103,7 +103,7 @@ class MeshPiece {
     const double t = from + to > 0 ? from / (from + to) : 0.5;
     const BrickPlaces::Place point = places_.between(ends.even, ends.odd, t);
     write(out_.positions, place, point.xy[0], point.xy[1], point.z[0]);
-    if (surface_.domain != nullptr) depth_[place] = static_cast<float>(depthOf(ends, t));
+    if (surface_.isTrimmed()) depth_[place] = static_cast<float>(depthOf(ends, t));
     if (!normals_) return;
     glm::dvec3 gradient;
     for (int a = 0; a < 3; ++a) {

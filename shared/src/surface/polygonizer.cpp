@@ -35,7 +35,7 @@ class Polygonization {
             ? std::clamp<std::size_t>(numbers_.bricks() / kFewestBricks, 1, kMostPieces)
             : 1;
     if (!countVertices(pieces)) return Error::OverLimit;
-    const bool ends = surface_.domain != nullptr;
+    const bool ends = surface_.isTrimmed();
     held_ += vertices_ * ((options_.normals ? 6 : 3) + (ends ? 1 : 0)) * sizeof(float);
     if (held_ > limits_.memory) return Error::OverLimit;
     if (ends) depth_.resize(vertices_);
@@ -187,7 +187,7 @@ Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Li
   Error error =
       Polygonization(surface, options, limits, runTasks, *std::move(numbers), out, depth, part)
           .run();
-  if (error == Error::None && surface.domain != nullptr) error = trim(depth, limits, out);
+  if (error == Error::None && surface.isTrimmed()) error = trim(depth, limits, out);
   if (error != Error::None) out = {};
   return error;
 }

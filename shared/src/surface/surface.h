@@ -3,6 +3,7 @@
 
 #include "isostar/isostar.h"
 #include "scalars/scalars.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 
@@ -19,6 +20,8 @@ struct Surface {
   /// crossing axis edges; null if the domain is the box.
   const Scalars<D>* domain = nullptr;
 
+  /// Does it end inside the box?
+  [[nodiscard]] bool isTrimmed() const { return kDecodesAll && domain != nullptr; }
   /// |scalar| in half quantization steps, from a value as Scalars store it.
   [[nodiscard]] double size(int32_t value) const {
     return value >= 0 ? value + positiveOffset : -double(value) + negativeOffset;

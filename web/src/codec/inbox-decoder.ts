@@ -2,21 +2,21 @@ import type { SurfaceOptions } from '../api/surface.js';
 import type { Inbox } from '../input/inbox.js';
 import { Cleanup } from './cleanup.js';
 import { disposed } from './disposed.js';
-import type { Instances } from './instances.js';
+import type { Modules } from './modules.js';
 import { Session } from './session.js';
 import type { WholeSurface } from './surface-chunks.js';
 import type { BeginShares } from './team.js';
 
 /** The decoder in the current thread, without the reading of sources: its caller fills inboxes. */
 export class InboxDecoder {
-  readonly #instances: Instances;
+  readonly #modules: Modules;
   readonly #beginShares: BeginShares | undefined;
   #isDisposed = false;
   readonly #inboxes = new Set<Inbox>();
 
   /** `beginShares`: for streams in chunks, if there are other threads for them. */
-  constructor(instances: Instances, beginShares?: BeginShares) {
-    this.#instances = instances;
+  constructor(modules: Modules, beginShares?: BeginShares) {
+    this.#modules = modules;
     this.#beginShares = beginShares;
   }
 
@@ -30,12 +30,10 @@ export class InboxDecoder {
     this.#inboxes.add(inbox);
     cleanup.add(() => this.#inboxes.delete(inbox));
     try {
-      const lease = await this.#instances.lease();
-      const session = new Session(lease, options, this.#beginShares);
-      cleanup.add(() => {
-        session.delete();
-        lease.end();
-      });
+      const lease = await this.#modules.lease(options.polygonizer);
+      const leaseAll = () => this.#modules.leaseAll();
+      const session = new Session(lease, leaseAll, options, this.#beginShares);
+      cleanup.add(() => session.delete());
       yield* session.surfaces(inbox);
     } finally {
       cleanup.run();
@@ -44,7 +42,7 @@ export class InboxDecoder {
 
   dispose(): void {
     this.#isDisposed = true;
-    this.#instances.clear();
+    this.#modules.clear();
     for (const inbox of this.#inboxes) inbox.fail(disposed());
   }
 }

@@ -10,6 +10,10 @@ const MOST_KEPT = 1 << 26;
 /** A module that serves one stream. */
 export interface Lease {
   readonly module: RawModule;
+  /** The same for another thread. */
+  readonly compiled: WebAssembly.Module;
+  /** Is it the module for every stream, which other threads may not have? */
+  readonly isOfAll: boolean;
   /** The module has failed: nobody gets it any more. */
   drop(): void;
   /** The stream is deleted. */
@@ -18,16 +22,16 @@ export interface Lease {
 
 /** The module for the streams of a thread, which is instantiated anew when it has become large. */
 export class Instances {
-  readonly #instantiate: () => Promise<RawModule>;
+  readonly #loaded: LoadedModule;
   #module: Promise<RawModule> | undefined;
 
-  private constructor(instantiate: () => Promise<RawModule>) {
-    this.#instantiate = instantiate;
+  private constructor(loaded: LoadedModule) {
+    this.#loaded = loaded;
   }
 
   /** Makes the first module at once, so that its errors come to light. */
-  static async of({ instantiate }: LoadedModule): Promise<Instances> {
-    const instances = new Instances(instantiate);
+  static async of(loaded: LoadedModule): Promise<Instances> {
+    const instances = new Instances(loaded);
     await instances.#instance();
     return instances;
   }
@@ -40,7 +44,8 @@ export class Instances {
     }
     const module = await instance;
     const drop = () => this.#forget(instance);
-    return { module, drop, end: () => void (isLarge(module) && drop()) };
+    const { compiled } = this.#loaded;
+    return { module, compiled, isOfAll: false, drop, end: () => void (isLarge(module) && drop()) };
   }
 
   /** Nobody gets the last module any more. */
@@ -51,7 +56,7 @@ export class Instances {
   /** The module, which is instantiated anew if the last one failed. */
   #instance(): Promise<RawModule> {
     if (this.#module) return this.#module;
-    const instance = this.#instantiate();
+    const instance = this.#loaded.instantiate();
     instance.catch(() => this.#forget(instance));
     return (this.#module = instance);
   }

@@ -1,10 +1,11 @@
-import createModule from 'isostar-wasm';
 import { IsostarError } from '../api/errors.js';
+import { embindModule } from './embind-module.js';
+import { isPlain, plainModule } from './plain-module.js';
 import type { RawModule } from './raw.js';
 
 /**
- * The decoder's WebAssembly: its address or its bytes; by default `decoder.wasm` beside this
- * package's scripts.
+ * The decoder's WebAssembly: its address or its bytes. By default `decoder.wasm` beside this
+ * package's scripts and, for streams that this one lacks, `decoder-all.wasm`.
  */
 export type WasmSource = URL | string | BufferSource;
 
@@ -12,13 +13,20 @@ export type WasmSource = URL | string | BufferSource;
 export interface LoadedModule {
   readonly compiled: WebAssembly.Module;
   instantiate(): Promise<RawModule>;
+  /** The module for streams that this one lacks. */
+  loadAll(): Promise<LoadedModule>;
 }
 
 /** Compiles the WebAssembly, unless another thread has done so. */
-export async function loadModule(
-  wasm: WasmSource | WebAssembly.Module = new URL('./decoder.wasm', import.meta.url), // in dist/
-): Promise<LoadedModule> {
-  if (wasm instanceof WebAssembly.Module) return loaded(wasm, 'the module of another worker');
+export async function loadModule(wasm?: WasmSource | WebAssembly.Module): Promise<LoadedModule> {
+  if (wasm instanceof WebAssembly.Module) return loadedModule(wasm);
+  if (wasm) return compile(wasm);
+  const own = await compile(new URL('./decoder.wasm', import.meta.url)); // in dist/
+  const loadAll = () => compile(new URL('./decoder-all.wasm', import.meta.url));
+  return { ...own, loadAll };
+}
+
+async function compile(wasm: WasmSource): Promise<LoadedModule> {
   const isAddress = wasm instanceof URL || typeof wasm === 'string';
   const name = isAddress ? String(wasm) : 'the bytes given as `wasm`';
   const bytes = isAddress ? await readAddress(wasm) : wasm;
@@ -26,20 +34,27 @@ export async function loadModule(
   const compiled = await WebAssembly.compile(bytes).catch((reason) => {
     throw notUsable(name, `cannot be compiled (${messageOf(reason)})`);
   });
-  return loaded(compiled, name);
+  return loadedModule(compiled, name);
 }
 
-function loaded(compiled: WebAssembly.Module, name: string): LoadedModule {
+/** `name`: for messages. */
+export function loadedModule(
+  compiled: WebAssembly.Module,
+  name = 'the module of another worker',
+): LoadedModule {
   return {
     compiled,
     async instantiate() {
       try {
-        return await instantiate(compiled);
+        return await (isPlain(compiled) ? plainModule : embindModule)(compiled);
       } catch (reason) {
         if (reason instanceof RangeError)
           throw new IsostarError('OverLimit', `no memory for the decoder (${messageOf(reason)})`);
         throw notUsable(name, `not the WebAssembly of this isostar (${messageOf(reason)})`);
       }
+    },
+    async loadAll() {
+      throw notUsable(name, 'lacks what this stream or its options need; use decoder-all.wasm');
     },
   };
 }
@@ -48,19 +63,6 @@ const notUsable = (name: string, what: string) =>
   new IsostarError('BadArgument', `${name}: ${what}`);
 
 const messageOf = (reason: unknown) => String((reason as Error)?.message ?? reason);
-
-function instantiate(compiled: WebAssembly.Module): Promise<RawModule> {
-  return new Promise((resolve, reject) => {
-    createModule({
-      // Emscripten's own way would abort, and write to the console, instead of throwing.
-      instantiateWasm(imports, receive) {
-        WebAssembly.instantiate(compiled, imports).then(receive).catch(reject);
-        return {};
-      },
-      printErr() {}, // an abort is reported as an IsostarError
-    }).then((raw) => (raw.Decoder ? resolve(raw) : reject(new Error('no Decoder'))), reject);
-  });
-}
 
 async function readAddress(address: URL | string): Promise<BufferSource> {
   const read = String(address).startsWith('file:') ? readFile(new URL(address)) : fetch(address);

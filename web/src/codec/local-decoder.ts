@@ -4,8 +4,8 @@ import { Inbox, sendIsovalues } from '../input/inbox.js';
 import { hold, type HeldSource } from '../input/source.js';
 import { Cleanup, cleanUpAfter } from './cleanup.js';
 import { InboxDecoder } from './inbox-decoder.js';
-import { Instances } from './instances.js';
 import { loadModule, type WasmSource } from './load-module.js';
+import { Modules } from './modules.js';
 import { sortOptions } from './options.js';
 import { withChunks } from './surface-chunks.js';
 
@@ -20,8 +20,8 @@ export class LocalDecoder implements Decoder {
   }
 
   static async create(wasm?: WasmSource, limits?: Limits): Promise<LocalDecoder> {
-    const instances = await Instances.of(await loadModule(wasm));
-    return new LocalDecoder(new InboxDecoder(instances), limits);
+    const modules = await Modules.of(await loadModule(wasm));
+    return new LocalDecoder(new InboxDecoder(modules), limits);
   }
 
   decode(source: Source, options: DecodeOptions = {}): AsyncGenerator<Surface, void, undefined> {

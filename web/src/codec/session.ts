@@ -13,7 +13,8 @@ const REFINEMENTS = ['newest', 'all', 'last'];
 
 /** One stream: turns input into surfaces. */
 export class Session {
-  readonly #lease: Lease;
+  #lease: Lease;
+  readonly #leaseAll: () => Promise<Lease>;
   readonly #options: SurfaceOptions;
   #beginShares: BeginShares | undefined; // until it is known whether the stream is divided
   #own: StreamDecoder;
@@ -25,11 +26,18 @@ export class Session {
   #isovalue: number | undefined;
   #decodeTime = 0;
 
-  constructor(lease: Lease, options: SurfaceOptions, beginShares?: BeginShares) {
+  /** Ends the lease, and that of `leaseAll`, which is called if the stream needs it. */
+  constructor(
+    lease: Lease,
+    leaseAll: () => Promise<Lease>,
+    options: SurfaceOptions,
+    beginShares?: BeginShares,
+  ) {
     const { refinements = 'newest' } = options;
     if (!REFINEMENTS.includes(refinements))
       throw new IsostarError('BadArgument', `unknown refinements "${refinements}"`);
     this.#lease = lease;
+    this.#leaseAll = leaseAll;
     this.#options = options;
     this.#beginShares = beginShares;
     this.#isovalue = options.isovalue;
@@ -66,6 +74,7 @@ export class Session {
   delete(): void {
     this.#team?.end();
     this.#own.delete();
+    this.#lease.end();
   }
 
   #decoderOf(share?: ShareNumber): StreamDecoder {
@@ -74,7 +83,7 @@ export class Session {
 
   #accept({ pieces, isEnd }: Input): void {
     const decoder = this.#team ?? this.#own;
-    const mayBeNeeded = this.#team || this.#beginShares;
+    const mayBeNeeded = this.#team || this.#beginShares || this.#own.levels === 0;
     for (const piece of pieces.splice(0)) {
       decoder.accept(piece);
       if (mayBeNeeded) this.#accepted.push(piece);
@@ -97,16 +106,39 @@ export class Session {
   }
 
   async #advance(inbox: Inbox): Promise<boolean> {
-    const start = performance.now();
-    const isBetter = await this.#decodeLayer(inbox);
-    this.#decodeTime += performance.now() - start;
+    let isBetter = await this.#decodeLayer(inbox);
+    if (this.#own.lacks) {
+      await this.#changeModule();
+      inbox.throwIfFailed();
+      isBetter = await this.#decodeLayer(inbox);
+    }
     this.#want(inbox);
     return isBetter;
   }
 
+  /** Goes on with the module for every stream. So far no layer is decoded. */
+  async #changeModule(): Promise<void> {
+    const lease = await this.#leaseAll();
+    this.delete();
+    this.#lease = lease;
+    this.#own = this.#decoderOf();
+    this.#acceptAgain();
+  }
+
   async #decodeLayer(inbox: Inbox): Promise<boolean> {
+    const start = performance.now();
     try {
-      if (this.#beginShares && this.#own.levels > 0) await this.#divide(this.#beginShares);
+      return await this.#decodeInTeam(inbox);
+    } finally {
+      this.#decodeTime += performance.now() - start;
+    }
+  }
+
+  async #decodeInTeam(inbox: Inbox): Promise<boolean> {
+    const { levels, lacks } = this.#own;
+    if (levels > 0 && !lacks && !this.#beginShares && !this.#team) this.#accepted.splice(0);
+    try {
+      if (levels > 0 && !lacks && this.#beginShares) await this.#divide(this.#beginShares);
       return await (this.#team ?? this.#own).advance();
     } catch (reason) {
       if (!(reason instanceof TeamFailure)) throw reason;
@@ -118,7 +150,7 @@ export class Session {
   async #divide(beginShares: BeginShares): Promise<void> {
     this.#beginShares = undefined;
     const most = chunksOf(this.#own.info) - 1;
-    const others = most > 0 ? await beginShares(most, this.#options) : [];
+    const others = most > 0 ? await beginShares(most, this.#options, this.#lease) : [];
     if (others.length === 0) return void this.#accepted.splice(0);
     const { bytes } = this.#own;
     this.#own.delete();

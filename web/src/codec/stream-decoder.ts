@@ -113,6 +113,10 @@ export class StreamDecoder {
   get bytes(): number {
     return this.#raw.bytes();
   }
+  /** Is another module needed for the stream? */
+  get lacks(): boolean {
+    return this.#raw.lacks();
+  }
   get isFinal(): boolean {
     return this.#raw.isFinal();
   }
@@ -133,7 +137,7 @@ export class StreamDecoder {
   polygonize(isovalue: number): void {
     const code = this.#run(() =>
       this.#raw.makeMesh(
-        this.#module.Polygonizer[this.#polygonizer],
+        this.#module.Polygonizer[this.#polygonizer]!,
         this.#module.Frame[this.#frame],
         this.#normals,
         isovalue,

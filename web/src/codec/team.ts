@@ -1,13 +1,18 @@
 import type { SurfaceOptions } from '../api/surface.js';
 import type { Piece } from '../input/pieces.js';
+import type { Lease } from './instances.js';
 import { joinMesh, type Mesh, type MeshPart } from './mesh-part.js';
 import type { StreamDecoder } from './stream-decoder.js';
 
 /**
  * Begins other shares of a stream, numbers 1 and on, at most `most`; none if there are no threads
- * for them.
+ * for them. `lease`: of the module that decodes the first share.
  */
-export type BeginShares = (most: number, options: SurfaceOptions) => Promise<OtherShare[]>;
+export type BeginShares = (
+  most: number,
+  options: SurfaceOptions,
+  lease: Lease,
+) => Promise<OtherShare[]>;
 
 /** A share of a stream that is decoded elsewhere. It answers in the order of the calls. */
 export interface OtherShare {

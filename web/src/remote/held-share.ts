@@ -1,6 +1,6 @@
 import { IsostarError } from '../api/errors.js';
 import type { SurfaceOptions } from '../api/surface.js';
-import type { Instances } from '../codec/instances.js';
+import type { Lease } from '../codec/instances.js';
 import { copyOf } from '../codec/mesh-part.js';
 import { type ShareNumber, StreamDecoder } from '../codec/stream-decoder.js';
 import type { Piece } from '../input/pieces.js';
@@ -13,8 +13,8 @@ export class HeldShare {
   #calls: Promise<StreamDecoder>; // resolves to the decoder when all calls are done
   #end = () => {};
 
-  constructor(instances: Instances, options: SurfaceOptions, share: ShareNumber) {
-    this.#calls = this.#begin(instances, options, share);
+  constructor(lease: Promise<Lease>, options: SurfaceOptions, share: ShareNumber) {
+    this.#calls = this.#begin(lease, options, share);
   }
 
   accept(piece: Piece): void {
@@ -53,11 +53,11 @@ export class HeldShare {
   }
 
   async #begin(
-    instances: Instances,
+    lease: Promise<Lease>,
     options: SurfaceOptions,
     share: ShareNumber,
   ): Promise<StreamDecoder> {
-    const { module, drop, end } = await instances.lease();
+    const { module, drop, end } = await lease;
     const decoder = new StreamDecoder(module, options, drop, share);
     this.#end = () => {
       decoder.delete();

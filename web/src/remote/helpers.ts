@@ -1,4 +1,5 @@
 import type { SurfaceOptions } from '../api/surface.js';
+import type { Lease } from '../codec/instances.js';
 import type { OtherShare } from '../codec/team.js';
 import { RemoteShare } from './remote-share.js';
 import { WorkerLink } from './worker-link.js';
@@ -15,13 +16,19 @@ export class Helpers {
   }
 
   /** As of `BeginShares`. */
-  async begin(most: number, options: SurfaceOptions): Promise<OtherShare[]> {
+  async begin(
+    most: number,
+    options: SurfaceOptions,
+    { isOfAll, compiled }: Lease,
+  ): Promise<OtherShare[]> {
     const count = Math.min(most, this.#links.length);
     const opening = Array.from({ length: count }, (_, i) => this.#link(i));
     const links = await Promise.all(opening).catch(() => []); // without helpers it works as well
     const of = links.length + 1;
+    const all = isOfAll ? compiled : undefined;
     return links.map(
-      (link, i) => new RemoteShare(link, ++this.#lastId, options, { number: i + 1, of }),
+      (link, i) =>
+        new RemoteShare(link, ++this.#lastId, { options, share: { number: i + 1, of }, all }),
     );
   }
 

@@ -29,9 +29,16 @@ export type Request =
   | { type: 'stop'; id: number }
   | ShareRequest;
 
+export interface ShareOptions {
+  readonly options: SurfaceOptions;
+  readonly share: ShareNumber;
+  /** The module for every stream, if the stream needs it. */
+  readonly all: WebAssembly.Module | undefined;
+}
+
 /** Worker to helper, beside `accept`, `finish` and `stop`. */
 export type ShareRequest =
-  | { type: 'share'; id: number; options: SurfaceOptions; share: ShareNumber }
+  | ({ type: 'share'; id: number } & ShareOptions)
   | { type: 'advance'; id: number; results: readonly Uint8Array[] }
   | { type: 'results'; id: number }
   | { type: 'mesh'; id: number; results: readonly Uint8Array[]; isovalue: number };

@@ -1,9 +1,7 @@
-import type { SurfaceOptions } from '../api/surface.js';
 import type { MeshPart } from '../codec/mesh-part.js';
-import type { ShareNumber } from '../codec/stream-decoder.js';
 import type { OtherShare } from '../codec/team.js';
 import type { Piece } from '../input/pieces.js';
-import type { Reply, ShareRequest } from './protocol.js';
+import type { Reply, ShareOptions, ShareRequest } from './protocol.js';
 import type { Call, WorkerLink } from './worker-link.js';
 
 /** A share of a stream that another worker decodes. */
@@ -12,11 +10,11 @@ export class RemoteShare implements OtherShare {
   readonly #id: number;
   readonly #call: Call;
 
-  constructor(link: WorkerLink, id: number, options: SurfaceOptions, share: ShareNumber) {
+  constructor(link: WorkerLink, id: number, options: ShareOptions) {
     this.#link = link;
     this.#id = id;
     this.#call = link.begin(id);
-    link.post({ type: 'share', id, options, share });
+    link.post({ type: 'share', id, ...options });
   }
 
   accept(piece: Piece): void {

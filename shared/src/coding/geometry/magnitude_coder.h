@@ -3,12 +3,14 @@
 
 #include <bit>
 #include <optional>
+#include <type_traits>
 
 #include "coding/exchange/exchange.h"
 #include "coding/geometry/fit_coder.h"
 #include "estimate/far_ends.h"
 #include "estimate/interpolation.h"
 #include "grid/tube.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 
@@ -21,7 +23,10 @@ class MagnitudeCoder {
   /// Bytes of models beside the object, before a pass is fitted, and now.
   [[nodiscard]] static constexpr uint64_t memoryOfModels() { return kContexts * sizeof(BitModel); }
   [[nodiscard]] uint64_t memory() const {
-    return memoryOfModels() + (fit_ ? FitCoder<D>::memoryOfModels() : 0);
+    if constexpr (kDecodesAll) {
+      if (fit_) return memoryOfModels() + FitCoder<D>::memoryOfModels();
+    }
+    return memoryOfModels();
   }
 
   using Allowed = typename FarEnds<D>::Allowed;
@@ -39,7 +44,9 @@ class MagnitudeCoder {
   template <MagnitudeExchange Exchange>
   void code(Exchange& exchange, const Signs<D>& signs, Scalars<D>& scalars, const Pass& pass,
             const std::vector<uint8_t>& active) {
-    if (pass.fitted && !fit_) fit_.emplace();
+    if constexpr (kDecodesAll) {
+      if (pass.fitted && !fit_) fit_.emplace();
+    }
     for (std::size_t brickIndex = 0; brickIndex < active.size() && !exchange.exhausted();
          ++brickIndex) {
       exchange.visit(1);
@@ -50,7 +57,9 @@ class MagnitudeCoder {
       gradient_ = scalars.gradient(brickIndex);
       farEnds_.setGradient(gradient_);
       window_.load(scalars, signs.table(), signs.table().brick(brickIndex));
-      if (pass.fitted) fit_->enter(window_, gradient_);
+      if constexpr (kDecodesAll) {
+        if (pass.fitted) fit_->enter(window_, gradient_);
+      }
       auto& brick = scalars.writable(brickIndex);
       const auto& members = brick.members[static_cast<std::size_t>(pass.members)];
       exchange.visit(members.count() * FarEnds<D>::decisionsToFind(pass.allowed));
@@ -66,6 +75,7 @@ class MagnitudeCoder {
     uint32_t middle;
     int width;
   };
+  struct NoFit {};
   static constexpr int kRatios = 32;
   static constexpr std::size_t kContexts = 8 * 4 * kRatios;
 
@@ -77,9 +87,11 @@ class MagnitudeCoder {
     const bool positive = brick.value[v] > 0;
     Interval interval{brick.middle(v), brick.width(v)};
     farEnds_.find(window_, r, x, positive, pass.allowed);
-    if (!moves(interval, pass.selective)) return;
+    if (pass.most == 0 || !moves(interval, pass.selective)) return;
     const auto guess = Interpolation<D>::of(window_, r, x, positive);
-    if (pass.fitted) fit_->find(r, x, positive);
+    if constexpr (kDecodesAll) {
+      if (pass.fitted) fit_->find(r, x, positive);
+    }
     const auto neighbour = [&](int axis, bool ahead) {
       return window_
           .value[window_.index(r, x) + (ahead ? window_.stride(axis) : -window_.stride(axis))];
@@ -93,7 +105,9 @@ class MagnitudeCoder {
     } while (++count < pass.most && moves(interval, pass.selective));
     const auto middle = static_cast<int32_t>(interval.middle);
     window_.value[window_.index(r, x)] = brick.value[v] = positive ? middle : -middle;
-    if (pass.fitted) fit_->update(r, x, brick.value[v]);
+    if constexpr (kDecodesAll) {
+      if (pass.fitted) fit_->update(r, x, brick.value[v]);
+    }
   }
 
   [[nodiscard]] bool moves(const Interval& interval, bool selective) const {
@@ -127,8 +141,10 @@ class MagnitudeCoder {
         [&](uint32_t magnitude) { return settled(whole, magnitude, pass.selective); },
         [&](auto& coder) {
           const bool isUpper = target.upper(whole.middle);
-          if (pass.fitted)
-            return fit_->upper(coder, isUpper, whole.middle, width, fineness, probability);
+          if constexpr (kDecodesAll) {
+            if (pass.fitted)
+              return fit_->upper(coder, isUpper, whole.middle, width, fineness, probability);
+          }
           return probability.hotBit(coder, isUpper);
         });
     const uint32_t half = uint32_t{1} << width;
@@ -140,7 +156,7 @@ class MagnitudeCoder {
   FarEnds<D> farEnds_;  // of the current vertex
   BitModel selectModel_;
   std::vector<BitModel> models_;
-  std::optional<FitCoder<D>> fit_;  // set if a pass is fitted
+  std::optional<std::conditional_t<kDecodesAll, FitCoder<D>, NoFit>> fit_;  // set by fitted passes
 };
 
 }  // namespace isostar

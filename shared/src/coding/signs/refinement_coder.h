@@ -6,6 +6,8 @@
 #include "coding/signs/new_component_coder.h"
 #include "coding/signs/sign_coder.h"
 #include "grid/refined_signs.h"
+#include "util/cold_path.h"
+#include "util/decodes_all.h"
 
 namespace isostar {
 
@@ -29,7 +31,7 @@ class RefinementCoder {
                               const std::vector<uint8_t>* foreign = nullptr) {
     absent_ = absent;
     active_ = activeBricks(signs);
-    if (absent != nullptr) {
+    if (hasAbsent()) {
       const auto besideAbsent = activeBricks(*absent);
       for (std::size_t brickIndex = 0; brickIndex < besideAbsent.size(); ++brickIndex)
         active_[brickIndex] |= besideAbsent[brickIndex];
@@ -103,6 +105,7 @@ class RefinementCoder {
     if (exchange.charge(signs.memory() + memory())) coded = end;
     for (const std::size_t brickIndex : changedBricks_) activateAround(signs, brickIndex, active_);
     changedBricks_.clear();
+    if (!hasAbsent()) return;
     for (const std::size_t brickIndex : bricksWithAbsent_)
       activateAround(*absent_, brickIndex, active_);
     bricksWithAbsent_.clear();
@@ -123,7 +126,7 @@ class RefinementCoder {
             !newComponents_.codeQuietBrick(exchange, signs, rows_, brickIndex, newAxisCount))
           continue;
         exchange.visitBrick();
-        rows_.enter(signs, absent_, brickIndex, newAxisCount);
+        rows_.enter(signs, hasAbsent() ? absent_ : nullptr, brickIndex, newAxisCount);
         newComponents_.codeRows(exchange, brickIndex, rows_, 0);
         store(signs, brickIndex);
       }
@@ -133,8 +136,8 @@ class RefinementCoder {
   template <SignExchange Exchange>
   void brick(Exchange& exchange, Signs<D>& signs, std::size_t brickIndex, int newAxisCount) {
     exchange.visitBrick();
-    rows_.enter(signs, absent_, brickIndex, newAxisCount);
-    if (absent_ != nullptr) {
+    rows_.enter(signs, hasAbsent() ? absent_ : nullptr, brickIndex, newAxisCount);
+    if (hasAbsent()) {
       if (newAxisCount == D) keeps_.code(exchange, brickIndex, rows_);
       storeAbsent(brickIndex);
     }
@@ -142,6 +145,9 @@ class RefinementCoder {
     newComponents_.code(exchange, brickIndex, rows_, newAxisCount, coded);
     if (rows_.changed()) store(signs, brickIndex);
   }
+
+  /// Is the mesh adaptive?
+  [[nodiscard]] bool hasAbsent() const { return kDecodesAll && absent_ != nullptr; }
 
   void store(Signs<D>& signs, std::size_t brickIndex) {
     changedBricks_.push_back(brickIndex);
