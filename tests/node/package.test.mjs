@@ -80,7 +80,7 @@ test('the version is the same as in CMakeLists.txt', () => {
 
 // Bytes after gzip; what exceeds them must be worth it.
 for (const [file, most] of Object.entries({
-  'decoder.wasm': 75_000,
+  'decoder.wasm': 76_500,
   'decoder-all.wasm': 109_500,
 }))
   test(`${file} stays small`, () => {
