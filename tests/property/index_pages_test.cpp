@@ -38,11 +38,9 @@ TEST(IndexPages, surfacesAreThoseOfTheSource) {
     EncodeOptions options;
     options.lossless = true;
     const MeshOptions shown{Polygonizer::Cubes, Frame::Grid, true};
-    const Mesh mesh = decoded(inChunks(field, options), shown), source = sourceMesh(field, shown);
-    EXPECT_EQ(mesh.indices, source.indices) << described(field);
-    ASSERT_EQ(mesh.positions.size(), source.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-      ASSERT_NEAR(mesh.positions[i], source.positions[i], 1e-4);
+    SCOPED_TRACE(described(field));
+    expectSameMesh(decoded(inChunks(field, options), shown), sourceMesh(field, shown), 1e-4);
+    if (testing::Test::HasFatalFailure()) return;
   }
 }
 

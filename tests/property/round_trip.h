@@ -60,4 +60,12 @@ inline Mesh sourceMesh(const SampledField& field, const MeshOptions& options = {
   return mesh;
 }
 
+/// The same triangles, and vertices no further apart on any axis than `bound`.
+inline void expectSameMesh(const Mesh& mesh, const Mesh& expected, double bound) {
+  EXPECT_EQ(mesh.indices, expected.indices);
+  ASSERT_EQ(mesh.positions.size(), expected.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    ASSERT_NEAR(mesh.positions[i], expected.positions[i], bound);
+}
+
 }  // namespace isostar

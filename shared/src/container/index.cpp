@@ -16,11 +16,6 @@ constexpr uint64_t kLongestPage = kChunksPerPage * 6;
 constexpr uint64_t kBytesPerSection = 2 * sizeof(uint64_t);
 constexpr uint32_t kMostFilter = 2;
 
-/// Does the head of a layer say how its level is shown? A refinement of one chunk codes it.
-bool hasFilter(LayerKind kind, uint64_t chunks) {
-  return kind == LayerKind::Refinement && chunks > 1;
-}
-
 /// Calls visit(length) for the lengths of the next `chunks` sections, and adds up their bytes with
 /// checksums. Corrupt or Truncated: fewer could be read.
 template <class Visit>

@@ -42,7 +42,7 @@ std::vector<Lengths> pagesOf(const LayerSections& sections) {
 uint64_t writeEntry(ByteWriter& out, const LayerHead& head, const LayerSections& sections,
                     std::span<const Lengths> pages) {
   writeFields(out, head);
-  if (head.kind == LayerKind::Refinement && sections.size() > 1) out.u8(head.filter);
+  if (hasFilter(head.kind, sections.size())) out.u8(head.filter);
   if (pages.empty()) {
     const Lengths lengths = lengthsOf(sections);
     out.append(lengths.bytes);
