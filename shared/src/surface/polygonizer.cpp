@@ -13,9 +13,9 @@ namespace {
 class Polygonization {
  public:
   /// `depth` receives by how much each vertex lies inside the surface's domain, if there is one.
-  ISOSTAR_COLD Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, EdgeNumbers numbers, Mesh& out,
-                 std::vector<float>& depth, MeshPart* part)
+  ISOSTAR_COLD Polygonization(const Surface<3>& surface, const MeshOptions& options,
+                              const Limits& limits, const RunTasks& runTasks, EdgeNumbers numbers,
+                              Mesh& out, std::vector<float>& depth, MeshPart* part)
       : surface_(surface),
         options_(options),
         frames_(surface.signs.lattice(), surface.placement, options.frame),
@@ -179,8 +179,9 @@ class Polygonization {
 
 }  // namespace
 
-ISOSTAR_COLD Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, Mesh& out, MeshPart* part) {
+ISOSTAR_COLD Error polygonize(const Surface<3>& surface, const MeshOptions& options,
+                              const Limits& limits, const RunTasks& runTasks, Mesh& out,
+                              MeshPart* part) {
   out = {};
   auto numbers = EdgeNumbers::of(surface.signs, options.polygonizer, limits.memory);
   if (!numbers) return Error::OverLimit;
