@@ -2,7 +2,7 @@
 // type declarations, the decoder's WebAssembly and licences.
 import { build } from 'esbuild';
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -27,6 +27,18 @@ const { metafile } = await build({
   outdir: 'dist',
   splitting: true,
 });
+// Bundlers look for names of files, so no string may be split between lines. They must not follow
+// imports of a variable's file: for that there are comments, which esbuild drops.
+let ignored = 0;
+for (const file of Object.keys(metafile.outputs)) {
+  const script = readFileSync(here(file), 'utf8').replaceAll('\\\n', '');
+  const finished = script.replace(/\bimport\((?=[\w$.]+\))/g, (start) => {
+    ignored++;
+    return `${start}/* webpackIgnore: true */ /* @vite-ignore */ `;
+  });
+  writeFileSync(here(file), finished);
+}
+if (ignored !== 2) throw new Error(`${ignored} imports of a variable's file, not 2`);
 // Shares nothing with the others: it is loaded by its address.
 await build({
   ...options,
