@@ -21,25 +21,28 @@ const View* viewOf(std::span<const Number> numbers) {
   return &view;
 }
 
+/// Appends numbers of any type.
+template <class Numbers>
+void append(std::vector<double>& out, const Numbers& numbers) {
+  for (const auto number : numbers) out.push_back(double(number));
+}
+
 /// What a stream says of itself, as numbers in the order that plain-module.ts reads.
 void describe(const isostar::StreamInfo& info, std::vector<double>& out) {
-  const auto& [origin, spacing, direction] = info.placement;
-  out = {double(info.version), double(info.dimension)};
-  out.insert(out.end(), info.size.begin(), info.size.end());
-  out.insert(out.end(), origin.begin(), origin.end());
-  out.insert(out.end(), spacing.begin(), spacing.end());
-  out.insert(out.end(), direction.begin(), direction.end());
-  for (const double each :
-       {double(info.polygonizer), double(info.lossless), double(info.effort),
-        double(info.chunkSide), info.maxError, double(info.vertices), double(info.headerBytes),
-        double(info.bytes), double(info.isovalues.size())})
-    out.push_back(each);
-  out.insert(out.end(), info.isovalues.begin(), info.isovalues.end());
-  for (const auto& layer : info.layers) {
-    for (const double each : {double(layer.kind[0]), double(layer.level), double(layer.offset),
-                              double(layer.bytes), layer.error, double(layer.isovalue)})
-      out.push_back(each);
-  }
+  using Doubles = std::initializer_list<double>;
+  out.clear();
+  append(out, Doubles{double(info.version), double(info.dimension)});
+  append(out, info.size);
+  append(out, info.placement.origin);
+  append(out, info.placement.spacing);
+  append(out, info.placement.direction);
+  append(out, Doubles{double(info.polygonizer), double(info.lossless), double(info.effort),
+                      double(info.chunkSide), info.maxError, double(info.vertices),
+                      double(info.headerBytes), double(info.bytes), double(info.isovalues.size())});
+  append(out, info.isovalues);
+  for (const auto& layer : info.layers)
+    append(out, Doubles{double(layer.kind[0]), double(layer.level), double(layer.offset),
+                        double(layer.bytes), layer.error, double(layer.isovalue)});
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(EncoderExchange, findsTheFirstCrossingSimplexThatIsNotVisited) {
   Meter meter;
   const NoScalars none;
   const Encoder exchange(meter, signs, none);
-  std::vector<bool> visited(Simplex<3>::count(lattice));
+  std::vector<uint8_t> visited(Simplex<3>::count(lattice));
   int seeds = 0;
   std::size_t before = 0;
   while (const auto seed = exchange.nextSeed(lattice, visited)) {
@@ -43,7 +43,7 @@ TEST(EncoderExchange, findsTheFirstCrossingSimplexThatIsNotVisited) {
     EXPECT_TRUE(hasVertex);
     EXPECT_GE(seed->index(lattice), before);
     before = seed->index(lattice);
-    visited[before] = true;
+    visited[before] = 1;
     ++seeds;
   }
   EXPECT_EQ(seeds, 48) << "(2, 2, 2) is an even corner: all simplices of eight cells meet there";

@@ -72,7 +72,7 @@ std::vector<std::byte> randomlyCoded(uint64_t seed, double rate, Code code) {
     [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
     [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
     [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&,
-                                                     const std::vector<bool>&) const {
+                                                     const std::vector<uint8_t>&) const {
       return std::nullopt;
     }
   };

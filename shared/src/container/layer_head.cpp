@@ -10,16 +10,20 @@ namespace {
 
 constexpr std::size_t kShort = 1024;  // layers with fewer bytes have checksums of 16 bits
 
-/// The layer's error on a scale of eight steps per factor of two: 0 is no error, 1 is 2^-20.
-uint32_t pack(double error) {
-  if (!(error > 0)) return 0;
-  return static_cast<uint32_t>(std::clamp(std::lround(8 * (std::log2(error) + 20)), 1L, 255L));
-}
+/// A layer's error from a scale of eight steps per factor of two: 0 is no error, 8 is 2^-19.
 double unpack(uint32_t code) {
   if (code == 0) return 0;
   constexpr std::array<double, 8> kRoots{1,         1.0905077, 1.1892071, 1.2968396,
                                          1.4142136, 1.5422108, 1.6817928, 1.8340081};
   return std::ldexp(kRoots[code % 8], static_cast<int>(code / 8) - 20);
+}
+
+/// The nearest step of that scale. Without a logarithm, whose tables a page would have to download.
+uint32_t pack(double error) {
+  if (!(error > 0)) return 0;
+  uint32_t code = 1;
+  while (code < 255 && error * error >= unpack(code) * unpack(code + 1)) ++code;
+  return code;
 }
 
 /// Kind and level of a layer in one byte.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "container/bytes.h"
 #include "isostar/isostar.h"
 #include "util/cold_path.h"
 
@@ -45,7 +46,7 @@ class Arrivals {
       if (isLimited)
         taken = taken.first(std::min<uint64_t>(taken.size(), ranges_[next_].end - position_));
       if (taken.size() > most - bytes_.size()) return false;
-      bytes_.insert(bytes_.end(), taken.begin(), taken.end());
+      append(bytes_, taken);
       end_ = position_ += taken.size();
       if (isLimited && position_ == ranges_[next_].end && ++next_ < ranges_.size())
         position_ = ranges_[next_].begin;

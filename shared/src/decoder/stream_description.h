@@ -16,8 +16,8 @@ namespace isostar {
   std::copy_n(h.size.begin(), 3, info.size.begin());
   info.frames = h.size[3];
   info.placement = h.placement;
-  info.isovalues = {h.isovalue};
-  info.isovalues.insert(info.isovalues.end(), h.furtherIsovalues.begin(), h.furtherIsovalues.end());
+  info.isovalues.push_back(h.isovalue);
+  for (const double other : h.furtherIsovalues) info.isovalues.push_back(other);
   info.polygonizer = h.polygonizer;
   info.lossless = h.lossless;
   info.adaptive = h.adaptive;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "estimate/fit_window.h"
+#include "util/reciprocal.h"
 
 namespace isostar {
 
@@ -115,15 +116,9 @@ struct LocalFit {
     /// 2^31 / n with an error of at most a part in 500: a division would take longer than all the
     /// rest.
     static int64_t inverseOf(int64_t n) {
-      static constexpr std::array<uint32_t, 256> kOfTop = [] {
-        std::array<uint32_t, 256> table{};
-        for (uint32_t i = 0; i < 256; ++i)
-          table[i] = static_cast<uint32_t>((uint64_t{1} << 32) / (2 * (256 + i) + 1));
-        return table;
-      }();
       const auto positive = static_cast<uint32_t>(std::max<int64_t>(n, 1));
       const int empty = std::countl_zero(positive);
-      return (int64_t{kOfTop[(positive << empty >> 23) - 256]} << 8) >> (31 - empty);
+      return (reciprocalOfMiddle(positive << empty >> 23) << 8) >> (31 - empty);
     }
   };
 };

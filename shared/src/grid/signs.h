@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "grid/brick_map.h"
@@ -33,8 +34,9 @@ class Signs {
   Signs() = default;
   explicit Signs(const Lattice<D>& lattice)
       : lattice_(lattice), table_(lattice), at_(table_.total()), bricks_(2) {
-    bricks_[kNegative].rows.fill(0x00);
-    bricks_[kPositive].rows.fill(0xFF);
+    // Less code than std::array::fill() in WebAssembly.
+    std::memset(bricks_[kNegative].rows.data(), 0x00, sizeof bricks_[kNegative].rows);
+    std::memset(bricks_[kPositive].rows.data(), 0xFF, sizeof bricks_[kPositive].rows);
   }
 
   [[nodiscard]] const Lattice<D>& lattice() const { return lattice_; }

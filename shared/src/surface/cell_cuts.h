@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "surface/cell_cut.h"
+#include "util/cold_path.h"
 #include "util/decodes_all.h"
 
 namespace isostar {
 
 class CellCuts {
  public:
-  CellCuts(Polygonizer polygonizer, bool mirrored)
+  ISOSTAR_COLD CellCuts(Polygonizer polygonizer, bool mirrored)
       : parities_(kDecodesAll && polygonizer == Polygonizer::Tetrahedra ? 8 : 1) {
     cuts_.reserve(parities_ * 256);
     for (unsigned parity = 0; parity < parities_; ++parity) {

@@ -4,6 +4,7 @@
 
 #include "surface/mesh_piece.h"
 #include "surface/trim.h"
+#include "util/cold_path.h"
 #include "util/run_all.h"
 
 namespace isostar {
@@ -12,9 +13,9 @@ namespace {
 class Polygonization {
  public:
   /// `depth` receives by how much each vertex lies inside the surface's domain, if there is one.
-  Polygonization(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, EdgeNumbers numbers, Mesh& out,
-                 std::vector<float>& depth, MeshPart* part)
+  ISOSTAR_COLD Polygonization(const Surface<3>& surface, const MeshOptions& options,
+                              const Limits& limits, const RunTasks& runTasks, EdgeNumbers numbers,
+                              Mesh& out, std::vector<float>& depth, MeshPart* part)
       : surface_(surface),
         options_(options),
         frames_(surface.signs.lattice(), surface.placement, options.frame),
@@ -26,7 +27,7 @@ class Polygonization {
         part_(part),
         numbers_(std::move(numbers)) {}
 
-  Error run() {
+  ISOSTAR_COLD Error run() {
     held_ = numbers_.memory();
     if (held_ > limits_.memory) return Error::OverLimit;
     numbers_.makeRoom();
@@ -104,7 +105,7 @@ class Polygonization {
   }
 
   /// Makes all, or the bricks of the part: their vertices one after the other.
-  Error makeAlone() {
+  ISOSTAR_COLD Error makeAlone() {
     uint64_t vertices = 0;
     forEachRun([&](std::size_t slot, std::size_t end) {
       vertices += firstVertex(end) - firstVertex(slot);
@@ -178,8 +179,9 @@ class Polygonization {
 
 }  // namespace
 
-Error polygonize(const Surface<3>& surface, const MeshOptions& options, const Limits& limits,
-                 const RunTasks& runTasks, Mesh& out, MeshPart* part) {
+ISOSTAR_COLD Error polygonize(const Surface<3>& surface, const MeshOptions& options,
+                              const Limits& limits, const RunTasks& runTasks, Mesh& out,
+                              MeshPart* part) {
   out = {};
   auto numbers = EdgeNumbers::of(surface.signs, options.polygonizer, limits.memory);
   if (!numbers) return Error::OverLimit;

@@ -54,9 +54,9 @@ class EncoderExchange {
   [[nodiscard]] bool positive(const Coordinates<D>& v) const { return actual_->at(v); }
   /// The first crossing simplex that has not been visited.
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>& lattice,
-                                                   const std::vector<bool>& visited) const {
+                                                   const std::vector<uint8_t>& visited) const {
     for (std::size_t at = 0; at < visited.size(); ++at) {
-      if (visited[at]) continue;
+      if (visited[at] != 0) continue;
       const auto simplex = Simplex<D>::at(at, lattice);
       int positives = 0;
       for (int i = 0; i <= D; ++i) positives += actual_->at(simplex.vertex(i));
@@ -155,7 +155,7 @@ class DecoderExchange {
   [[nodiscard]] bool varies(std::size_t, uint32_t) const { return false; }
   [[nodiscard]] bool positive(const Coordinates<D>&) const { return false; }
   [[nodiscard]] std::optional<Simplex<D>> nextSeed(const Lattice<D>&,
-                                                   const std::vector<bool>&) const {
+                                                   const std::vector<uint8_t>&) const {
     return std::nullopt;
   }
   [[nodiscard]] SmoothingFilter filter() const { return SmoothingFilter::Middle; }

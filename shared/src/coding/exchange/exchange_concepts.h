@@ -23,7 +23,7 @@ concept AnyExchange = requires(E& e) {
 /// Signs of single vertices, and the first simplex of the next component (§5.1).
 template <class E, int D>
 concept BaseExchange = AnyExchange<E> &&
-    requires(E& e, Coordinates<D> v, Lattice<D> lattice, std::vector<bool> seen) {
+    requires(E& e, Coordinates<D> v, Lattice<D> lattice, std::vector<uint8_t> seen) {
   { e.positive(v) } -> std::convertible_to<bool>;
   e.nextSeed(lattice, seen);
 };

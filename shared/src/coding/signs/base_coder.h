@@ -21,7 +21,7 @@ class BaseCoder {
   ISOSTAR_COLD void code(Exchange& exchange, Signs<D>& signs) {
     const auto& lattice = signs.lattice();
     known_.assign(lattice.vertices(), kUnknown);
-    visited_.assign(Simplex<D>::count(lattice), false);
+    visited_.assign(Simplex<D>::count(lattice), 0);
     bool any = false;
     std::optional<Simplex<D>> seed = exchange.nextSeed(lattice, visited_);
     while (!visited_.empty() && !exchange.exhausted() &&
@@ -76,7 +76,7 @@ class BaseCoder {
   template <BaseExchange<D> Exchange>
   void component(Exchange& exchange, const Lattice<D>& lattice, const Simplex<D>& seed) {
     for (int i = 0; i <= D; ++i) settle(exchange, lattice, seed.vertex(i), seedModel_);
-    visited_[seed.index(lattice)] = true;
+    visited_[seed.index(lattice)] = 1;
     stack_.assign(1, seed);
     while (!stack_.empty() && !exchange.exhausted()) {
       if (!step(exchange, lattice, stack_.back())) stack_.pop_back();
@@ -97,8 +97,8 @@ class BaseCoder {
       const int inGate = positives - positive[i];
       if (inGate == 0 || inGate == D) continue;
       const auto next = from.across(i, lattice);
-      if (!next || visited_[next->index(lattice)]) continue;
-      visited_[next->index(lattice)] = true;
+      if (!next || visited_[next->index(lattice)] != 0) continue;
+      visited_[next->index(lattice)] = 1;
       settle(exchange, lattice, next->vertex(i),
              gateModel_[static_cast<std::size_t>(inGate)][positive[i]]);
       stack_.push_back(*next);
@@ -152,7 +152,7 @@ class BaseCoder {
   }
 
   std::vector<uint8_t> known_;
-  std::vector<bool> visited_;
+  std::vector<uint8_t> visited_;  // 1 for each simplex that has been reached, else 0
   std::vector<Simplex<D>> stack_;
   BitModel another_, uniform_, side_, seedModel_;
   std::array<std::array<BitModel, 2>, D + 1> gateModel_;
