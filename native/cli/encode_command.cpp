@@ -8,6 +8,7 @@
 #include "cli/progress_bar.h"
 #include "cli/stopwatch.h"
 #include "cli/verified_encoding.h"
+#include "cli/volume_options.h"
 #include "files/failure.h"
 #include "files/output_file.h"
 #include "files/text.h"
@@ -192,10 +193,6 @@ void addSource(CLI::App& command, EncodeArguments& arguments) {
   addFurther(command, arguments.options.furtherIsovalues,
              "Further isovalues, coded on top of the first one");
   command
-      .add_option("--scalar", arguments.source.scalar,
-                  "The name of a tetrahedral mesh's scalar; default: the active or first one")
-      ->option_text("NAME");
-  command
       .add_option("--grid", arguments.source.grid,
                   text("Samples along the longest axis, for a mesh [default: %d; for tetrahedra "
                        "by their size]",
@@ -240,15 +237,11 @@ void addCoding(CLI::App& command, EncodeArguments& arguments) {
 }
 
 void addFormat(CLI::App& command, EncodeArguments& arguments) {
-  VolumeRequest& volume = arguments.source.volume;
   addUnits(command, arguments.units,
            "The unit of lengths: steps of the grid's smallest spacing, or the world's unit. In "
            "world units and without --grid, the bound of tetrahedra is relative to the "
            "tetrahedra instead of to samples");
-  addSize(command, volume.size,
-          "Samples along each axis of a raw volume, x fastest, little endian");
-  addSampleType(command, volume.type, "Sample type of a raw volume");
-  addSpacing(command, volume.spacing, "Distance between samples, overrides the file's");
+  addVolume(command, arguments.source.volume);
   command.add_flag("--json", arguments.json, "Print sizes and times to standard output");
 }
 

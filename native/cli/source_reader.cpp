@@ -42,7 +42,7 @@ bool hasTetrahedra(const SourceRequest& request) {
 }
 
 TetrahedralField readTetrahedralField(const SourceRequest& request) {
-  return TetrahedralField(readTetrahedra(request.volume.path, request.scalar));
+  return TetrahedralField(readTetrahedra(request.volume.path, request.volume.choices.scalar));
 }
 
 void requireConsistent(const SourceRequest& request) {
@@ -52,8 +52,9 @@ void requireConsistent(const SourceRequest& request) {
   const bool model = isModel(request), tetrahedra = hasTetrahedra(request),
              mesh = model || tetrahedra;
   if (mesh && volume.spacing) throw UsageFault("--spacing is for volumes; use --grid for a mesh");
+  if (mesh)
+    requireUnderstood(volume.path, volume.choices, "a mesh", tetrahedra ? unsigned{kScalar} : 0);
   if (!mesh && request.grid) throw UsageFault("--grid is for meshes; a volume has a grid");
-  if (!tetrahedra && request.scalar) throw UsageFault("--scalar is for tetrahedral meshes");
   if (!model && !request.isovalue) throw UsageFault("--iso is required; see isostar encode --help");
 }
 

@@ -11,8 +11,7 @@ namespace isostar::native {
 /// The command line's description of the input of `encode`.
 struct SourceRequest {
   VolumeRequest volume;
-  std::optional<int> grid{};            // samples along the longest axis, for meshes
-  std::optional<std::string> scalar{};  // the name of a tetrahedral mesh's scalar
+  std::optional<int> grid{};  // samples along the longest axis, for meshes
   std::optional<double> isovalue{};
   Scalars scalars = Scalars::Distances;  // of tetrahedra
 };

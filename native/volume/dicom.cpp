@@ -11,6 +11,7 @@
 #include "files/text.h"
 #include "volume/captured_errors.h"
 #include "volume/itk_image.h"
+#include "volume/named_files.h"
 #include "volume/placement.h"
 #include "volume/volume_formats.h"
 
@@ -138,13 +139,14 @@ LoadedVolume readSlices(const std::string& folder, const Series& slices) {
 
 }  // namespace
 
-LoadedVolume readDicomFile(const std::string& path) {
-  return readWholeFile(path);
+LoadedVolume readDicomFile(const VolumeRequest& request) {
+  return readWholeFile(request.path);
 }
 
-LoadedVolume readDicomSeries(const std::string& folder, const std::vector<std::string>& paths) {
+LoadedVolume readDicomSeries(const VolumeRequest& request) {
+  const std::string& folder = request.path;
   quietItk();
-  std::map<std::string, Series> all = findSeries(paths);
+  std::map<std::string, Series> all = findSeries(filesIn(folder));
   if (all.empty()) throw Failure(folder, "holds neither DICOM nor TIFF slices");
   Series& slices = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
                      return a.second.size() < b.second.size();

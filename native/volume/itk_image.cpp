@@ -136,6 +136,7 @@ LoadedVolume readWholeImage(itk::ImageIOBase& io, const std::string& path, bool 
   for (size_t axis = 0; axis < 3; ++axis)
     volume.size[axis] = static_cast<int32_t>(header.size[axis]);
   volume.placement = header.placement;
+  volume.type = nameOf(header.type);
   volume.samples = buffer.take();
   return volume;
 }

@@ -18,6 +18,9 @@ struct LoadedVolume {
   Placement placement;
   std::vector<float> domain;         // see Volume; empty if the domain is the box
   std::vector<std::string> remarks;  // warnings for the user
+  std::string kind;                  // what was read, "NRRD"
+  std::string type;                  // of the samples in the file, "16-bit integers"
+  std::vector<std::string> parts;    // what else can be chosen, "--channel 1: DAPI"
 
   Volume view() const {
     return {.samples = samples, .size = size, .placement = placement, .domain = domain};

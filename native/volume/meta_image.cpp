@@ -6,6 +6,7 @@
 #include "files/failure.h"
 #include "files/text.h"
 #include "volume/captured_errors.h"
+#include "volume/chosen_frame.h"
 #include "volume/itk_image.h"
 #include "volume/volume_formats.h"
 
@@ -34,12 +35,14 @@ void requireDimensions(const std::string& path) {
 
 }  // namespace
 
-LoadedVolume readMetaImage(const std::string& path) {
+LoadedVolume readMetaImage(const VolumeRequest& request) {
+  const std::string& path = request.path;
   requireDimensions(path);
   // MetaIO leaves missing samples uninitialized and only prints a warning.
   const CapturedErrors errors;
   LoadedVolume volume = readWholeImage(*itk::MetaImageIO::New(), path, extensionOf(path) == ".mha");
   if (!errors.line().empty()) throw Failure(path, errors.line());
+  takeFrame(volume, path, request.choices);
   return volume;
 }
 

@@ -12,6 +12,7 @@
 #include "files/failure.h"
 #include "files/input_file.h"
 #include "files/text.h"
+#include "volume/chosen_frame.h"
 #include "volume/itk_image.h"
 #include "volume/placement.h"
 #include "volume/volume_formats.h"
@@ -112,7 +113,8 @@ void readSamples(const nifti_image& header, const std::string& path, SampleBuffe
 
 }  // namespace
 
-LoadedVolume readNifti(const std::string& path) {
+LoadedVolume readNifti(const VolumeRequest& request) {
+  const std::string& path = request.path;
   const Header header = openHeader(path);
   if (!header->iname) throw Failure(path, "has no file with its samples");
   LoadedVolume volume;
@@ -127,6 +129,7 @@ LoadedVolume readNifti(const std::string& path) {
     volume.size[axis] = static_cast<int32_t>(claimed.size[axis]);
   volume.frames = static_cast<int32_t>(claimed.frames);
   if (volume.frames > 1) volume.dimension = 4;
+  volume.type = nameOf(claimed.type);
   // Slope 0 means that the samples are not scaled. A slope that is not finite is taken to mean the
   // same.
   const bool scaled = header->scl_slope != 0 && std::isfinite(header->scl_slope) &&
@@ -135,6 +138,7 @@ LoadedVolume readNifti(const std::string& path) {
   if (const double shear = shearDegrees(volume.placement); shear > kNoticeableShear)
     volume.remarks.push_back(
         text("the axes are %.3g degrees from a right angle; the shear is kept", shear));
+  takeFrame(volume, path, request.choices);
   return volume;
 }
 

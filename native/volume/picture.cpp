@@ -41,12 +41,12 @@ LoadedVolume pictureFrom(itk::ImageIOBase& io, const std::string& path) {
   return picture;
 }
 
-LoadedVolume readPng(const std::string& path) {
-  return pictureFrom(*itk::PNGImageIO::New(), path);
+LoadedVolume readPng(const VolumeRequest& request) {
+  return pictureFrom(*itk::PNGImageIO::New(), request.path);
 }
 
-LoadedVolume readJpeg(const std::string& path) {
-  return pictureFrom(*itk::JPEGImageIO::New(), path);
+LoadedVolume readJpeg(const VolumeRequest& request) {
+  return pictureFrom(*itk::JPEGImageIO::New(), request.path);
 }
 
 }  // namespace isostar::native

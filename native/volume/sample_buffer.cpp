@@ -64,6 +64,32 @@ size_t bytesOf(SampleType type) {
   return 8;
 }
 
+const char* nameOf(SampleType type) {
+  switch (type) {
+    case SampleType::U8:
+      return "unsigned 8-bit integers";
+    case SampleType::I8:
+      return "8-bit integers";
+    case SampleType::U16:
+      return "unsigned 16-bit integers";
+    case SampleType::I16:
+      return "16-bit integers";
+    case SampleType::U32:
+      return "unsigned 32-bit integers";
+    case SampleType::I32:
+      return "32-bit integers";
+    case SampleType::U64:
+      return "unsigned 64-bit integers";
+    case SampleType::I64:
+      return "64-bit integers";
+    case SampleType::F32:
+      return "32-bit floats";
+    case SampleType::F64:
+      return "64-bit floats";
+  }
+  return "";
+}
+
 SampleBuffer::SampleBuffer(std::string file, const ClaimedSize& size, SampleType type,
                            uint64_t fileBytes)
     : file_(std::move(file)), type_(type) {

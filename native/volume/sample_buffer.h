@@ -12,6 +12,9 @@ enum class SampleType : uint8_t { U8, I8, U16, I16, U32, I32, U64, I64, F32, F64
 
 size_t bytesOf(SampleType);
 
+/// "unsigned 16-bit integers".
+const char* nameOf(SampleType);
+
 /// A file's size in samples as its header claims it, not yet validated.
 using ClaimedSize = std::array<int64_t, 3>;
 

@@ -8,6 +8,7 @@
 #include "files/input_file.h"
 #include "files/text.h"
 #include "volume/itk_image.h"
+#include "volume/named_files.h"
 #include "volume/tiff_pages.h"
 #include "volume/volume_formats.h"
 
@@ -45,7 +46,8 @@ void discardPlacement(LoadedVolume& volume) {
 
 }  // namespace
 
-LoadedVolume readTiff(const std::string& path) {
+LoadedVolume readTiff(const VolumeRequest& request) {
+  const std::string& path = request.path;
   requireEqualPages(path);
   const auto io = itk::TIFFImageIO::New();
   if (readHeader(*io, path, 4).dimension == 2) return pictureFrom(*io, path);
@@ -54,8 +56,16 @@ LoadedVolume readTiff(const std::string& path) {
   return volume;
 }
 
-LoadedVolume readTiffStack(const std::string& folder, const std::vector<std::string>& paths) {
-  std::vector<std::string> slices = paths;
+bool isPicture(const std::string& path) {
+  const std::string extension = extensionOf(path);
+  return extension == ".tif" || extension == ".tiff";
+}
+
+LoadedVolume readPictureStack(const VolumeRequest& request) {
+  const std::string& folder = request.path;
+  std::vector<std::string> slices;
+  for (const std::string& path : filesIn(folder))
+    if (isPicture(path)) slices.push_back(path);
   std::stable_sort(slices.begin(), slices.end(), naturallyBefore);
   const ItkHeader first = readHeader(*itk::TIFFImageIO::New(), slices.front());
   ClaimedSize size = first.size;

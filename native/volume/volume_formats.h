@@ -14,17 +14,21 @@ class ImageIOBase;
 namespace isostar::native {
 
 LoadedVolume readRaw(const VolumeRequest&);
-LoadedVolume readNrrd(const std::string& path);
-LoadedVolume readMetaImage(const std::string& path);
-LoadedVolume readNifti(const std::string& path);
-LoadedVolume readTiff(const std::string& path);  // an image if the file has one page
-LoadedVolume readPng(const std::string& path);
-LoadedVolume readJpeg(const std::string& path);
+LoadedVolume readNrrd(const VolumeRequest&);
+LoadedVolume readMetaImage(const VolumeRequest&);
+LoadedVolume readNifti(const VolumeRequest&);
+LoadedVolume readTiff(const VolumeRequest&);  // an image if the file has one page
+LoadedVolume readPng(const VolumeRequest&);
+LoadedVolume readJpeg(const VolumeRequest&);
 /// A grey image from any ITK reader: colours become luminance, 8-bit samples become 0 … 1.
 LoadedVolume pictureFrom(itk::ImageIOBase&, const std::string& path);
-LoadedVolume readTiffStack(const std::string& folder, const std::vector<std::string>& paths);
-LoadedVolume readDicomFile(const std::string& path);
-LoadedVolume readDicomSeries(const std::string& folder, const std::vector<std::string>& paths);
-LoadedVolume readVtkImage(const std::string& path);
+/// Whether it is a slice of a stack by its extension.
+bool isPicture(const std::string& path);
+/// The pictures of a folder as slices, in the natural order of the numbers in their names.
+LoadedVolume readPictureStack(const VolumeRequest&);
+LoadedVolume readDicomFile(const VolumeRequest&);
+/// The chosen series of a folder.
+LoadedVolume readDicomSeries(const VolumeRequest&);
+LoadedVolume readVtkImage(const VolumeRequest&);
 
 }  // namespace isostar::native

@@ -14,51 +14,66 @@
 namespace isostar::native {
 namespace {
 
-bool isTiff(const std::string& path) {
-  return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff";
-}
+/// A reader with what it is called and the options that it understands.
+struct Format {
+  const char* name;
+  LoadedVolume (*read)(const VolumeRequest&);
+  unsigned options = 0;
+};
 
-/// A folder is a stack of TIFF slices if it contains any, else a DICOM series.
-LoadedVolume readFolder(const std::string& folder) {
-  const std::vector<std::string> paths = filesIn(folder);
-  std::vector<std::string> slices;
-  std::copy_if(paths.begin(), paths.end(), std::back_inserter(slices), isTiff);
-  return slices.empty() ? readDicomSeries(folder, paths) : readTiffStack(folder, slices);
-}
-
-LoadedVolume readByExtension(const std::string& path) {
-  using Reader = LoadedVolume (*)(const std::string&);
-  static const std::map<std::string, Reader> kReaders = {
-      {".nrrd", readNrrd},     {".nhdr", readNrrd},     {".mha", readMetaImage},
-      {".mhd", readMetaImage}, {".nii", readNifti},     {".nii.gz", readNifti},
-      {".hdr", readNifti},     {".img", readNifti},     {".hdr.gz", readNifti},
-      {".img.gz", readNifti},  {".tif", readTiff},      {".tiff", readTiff},
-      {".png", readPng},       {".jpg", readJpeg},      {".jpeg", readJpeg},
-      {".dcm", readDicomFile}, {".ima", readDicomFile}, {".vti", readVtkImage},
-      {".vtk", readVtkImage},
+const std::map<std::string, Format>& formats() {
+  static const Format kNrrd{"NRRD", readNrrd, kFrame | kLayer},
+      kMetaImage{"MetaImage", readMetaImage, kFrame}, kNifti{"NIfTI", readNifti, kFrame},
+      kTiff{"TIFF", readTiff, kFrame | kChannel}, kPng{"a PNG image", readPng},
+      kJpeg{"a JPEG image", readJpeg}, kDicom{"DICOM", readDicomFile, kSeries},
+      kVtk{"a VTK image", readVtkImage, kScalar | kComponent};
+  static const std::map<std::string, Format> kFormats = {
+      {".nrrd", kNrrd},    {".nhdr", kNrrd},    {".mha", kMetaImage}, {".mhd", kMetaImage},
+      {".nii", kNifti},    {".nii.gz", kNifti}, {".hdr", kNifti},     {".img", kNifti},
+      {".hdr.gz", kNifti}, {".img.gz", kNifti}, {".tif", kTiff},      {".tiff", kTiff},
+      {".png", kPng},      {".jpg", kJpeg},     {".jpeg", kJpeg},     {".dcm", kDicom},
+      {".ima", kDicom},    {".vti", kVtk},      {".vtk", kVtk},
   };
+  return kFormats;
+}
+
+/// A folder is a stack of pictures if it contains any, else DICOM.
+Format formatOfFolder(const std::string& folder) {
+  const std::vector<std::string> paths = filesIn(folder);
+  if (std::any_of(paths.begin(), paths.end(), isPicture))
+    return {"a stack of slices", readPictureStack, kChannel};
+  return {"DICOM", readDicomSeries, kSeries};
+}
+
+Format formatOf(const VolumeRequest& request) {
+  const std::string& path = request.path;
+  if (request.size && request.type) return {"raw samples", readRaw};
+  if (std::filesystem::is_directory(path)) return formatOfFolder(path);
   fileSize(path);
-  const auto reader = kReaders.find(extensionOf(path));
-  if (reader == kReaders.end())
+  const auto format = formats().find(extensionOf(path));
+  if (format == formats().end())
     throw Failure(
         path,
         "has an unknown extension; known are .nrrd .nhdr .mha .mhd .nii .hdr .img, the "
         "last three also with .gz, .tif .tiff .png .jpg .jpeg .dcm .ima .vti .vtk, meshes "
         "as .ply .obj .stl .glb, tetrahedra as .vtu .vtk, a folder of DICOM or TIFF "
         "slices, and raw samples with --size and --type");
-  return reader->second(path);
+  return format->second;
 }
 
 LoadedVolume readAny(const VolumeRequest& request) {
-  if (request.size && request.type) return readRaw(request);
+  const Format format = formatOf(request);
+  requireUnderstood(request.path, request.choices, format.name, format.options);
   const auto read = [&] {
-    return std::filesystem::is_directory(request.path) ? readFolder(request.path)
-                                                       : readByExtension(request.path);
+    LoadedVolume volume = format.read(request);
+    if (volume.kind.empty()) volume.kind = format.name;
+    return volume;
   };
   requireRegularFiles(request.path);
   using V = LoadedVolume;
   return readInChild(request.path, limitsFor(bytesReadWith(request.path)), read, &V::remarks,
-                     &V::dimension, &V::size, &V::frames, &V::placement, &V::samples);
+                     &V::kind, &V::type, &V::parts, &V::dimension, &V::size, &V::frames,
+                     &V::placement, &V::samples);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "volume/choices.h"
 #include "volume/loaded_volume.h"
 #include "volume/sample_buffer.h"
 
@@ -16,6 +17,7 @@ struct VolumeRequest {
   std::optional<ClaimedSize> size{};
   std::optional<SampleType> type{};
   std::optional<std::array<double, 3>> spacing{};  // overrides the file's
+  Choices choices{};
 };
 
 /// Reads a volume of any known format, which the extension determines. World coordinates are those

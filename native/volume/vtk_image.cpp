@@ -103,7 +103,8 @@ LoadedVolume readWith(const std::string& path) {
 
 }  // namespace
 
-LoadedVolume readVtkImage(const std::string& path) {
+LoadedVolume readVtkImage(const VolumeRequest& request) {
+  const std::string& path = request.path;
   fileSize(path);
   if (extensionOf(path) == ".vtk") return readWith<vtkStructuredPointsReader>(path);
   refuseEntities(path);

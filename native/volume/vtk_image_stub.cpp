@@ -4,8 +4,9 @@
 
 namespace isostar::native {
 
-LoadedVolume readVtkImage(const std::string& path) {
-  throw Failure(path, "this build of isostar reads no VTK files (it was built without VTK)");
+LoadedVolume readVtkImage(const VolumeRequest& request) {
+  throw Failure(request.path,
+                "this build of isostar reads no VTK files (it was built without VTK)");
 }
 
 }  // namespace isostar::native
